@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_COMPLETION_ENGINE_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_COMPLETION_ENGINE_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Hole_completion.h>
+#include <CGAL/Context_completion_3/internal/Hole_detection.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/// The engine behind the public door: flat arrays in, holes and new points out.
+template <typename ConcurrencyTag>
+class Completion_engine
+{
+  typedef Surface_model<ConcurrencyTag> Model;
+  typedef Smooth_patch<ConcurrencyTag> Patch;
+  typedef Example_source<ConcurrencyTag> Source;
+
+public:
+  typedef std::function<bool(double)> Callback;
+
+  /// \param points finite positions, unit normals; kept by reference \param parameters see there
+  Completion_engine(const Surface_points& points, const Engine_parameters& parameters)
+    : m_points(points), m_parameters(parameters),
+      m_model(std::make_shared<Model>(points))
+  {}
+
+  /// Median distance to the nearest neighbour.
+  double spacing() const { return m_model->spacing(); }
+
+  /// Finds the holes. \return `false` if the callback stopped it; then nothing is kept.
+  bool detect(const Callback& callback)
+  {
+    if(m_is_detected)
+      return true;
+    std::vector<Detected_hole<ConcurrencyTag> > found;
+    if(!Hole_detection<ConcurrencyTag>(*m_model).run(found, callback))
+      return false;
+    for(const Detected_hole<ConcurrencyTag>& hole : found)
+    {
+      m_patches.push_back(hole.patch);
+      m_holes.push_back(describe(hole));
+    }
+    m_outcomes.resize(m_holes.size());
+    m_is_detected = true;
+    return true;
+  }
+
+  const std::vector<Hole_data>& holes() const { return m_holes; }
+
+  /// Fills the chosen holes. \return `false` if the callback stopped it; then the points added before stay.
+  bool complete(const std::vector<std::size_t>& chosen, const Callback& callback)
+  {
+    if(!detect(Callback()))
+      return false;
+    prepare_sources();
+    Search_settings search;
+    search.number_of_turns = m_parameters.number_of_turns;
+    search.mirror = m_parameters.mirror;
+    search.number_of_places = m_parameters.number_of_candidates;
+    const Hole_completion<ConcurrencyTag> completion(*m_model, m_sources, search, m_parameters.keep_texture);
+    for(std::size_t i = 0; i < chosen.size(); ++i)
+    {
+      if(callback && !callback(double(i) / double(chosen.size())))
+        return false;
+      Hole_filling filling = completion.fill(*m_patches[chosen[i]]);
+      for(Added_point& p : filling.points)
+      {
+        p.hole = chosen[i];
+        m_added.push_back(p);
+      }
+      m_outcomes[chosen[i]] = filling.outcome;
+    }
+    return !callback || callback(1.);
+  }
+
+  const std::vector<Added_point>& added() const { return m_added; }
+  const std::vector<Hole_outcome>& outcomes() const { return m_outcomes; }
+
+private:
+  Hole_data describe(const Detected_hole<ConcurrencyTag>& hole) const
+  {
+    Hole_data data;
+    const Patch& patch = *hole.patch;
+    for(const Rim_loop& loop : patch.loops())
+    {
+      data.loops.emplace_back();
+      for(const Rim_point& p : loop.points)
+      {
+        data.loops.back().push_back(p.index);
+        data.center += m_model->position(p.index);
+      }
+    }
+    data.center /= double(patch.rim().size());
+    data.diameter = patch.diameter();
+    data.spacing = patch.spacing();
+    const double smallest = m_parameters.minimum_hole_diameter > 0 ? m_parameters.minimum_hole_diameter
+                                                                   : 4.5 * patch.spacing();
+    if(hole.is_outer_border)
+      data.state = Hole_state::outer_border;
+    else if(data.diameter < smallest)
+      data.state = Hole_state::too_small;
+    else if(m_parameters.maximum_hole_diameter > 0 && data.diameter > m_parameters.maximum_hole_diameter)
+      data.state = Hole_state::too_large;
+    else if((!m_parameters.regions.empty() && !is_inside(m_parameters.regions, data.center)) ||
+            is_inside(m_parameters.excluded_regions, data.center))
+      data.state = Hole_state::excluded;
+    return data;
+  }
+
+  static bool is_inside(const std::vector<Bbox_3>& boxes, const Vector& p)
+  {
+    for(const Bbox_3& b : boxes)
+      if(p.x() >= b.xmin() && p.x() <= b.xmax() && p.y() >= b.ymin() && p.y() <= b.ymax() && p.z() >= b.zmin() &&
+         p.z() <= b.zmax())
+        return true;
+    return false;
+  }
+
+  void prepare_sources()
+  {
+    if(!m_sources.empty())
+      return;
+    Source own;
+    if(m_parameters.is_example.empty())
+    {
+      own.points = std::shared_ptr<const Surface_points>(&m_points, [](const Surface_points*) {});
+      own.model = m_model;
+    }
+    else
+    {
+      const std::shared_ptr<Surface_points> allowed = std::make_shared<Surface_points>();
+      for(std::size_t i = 0; i < m_points.size(); ++i)
+        if(m_parameters.is_example[i])
+        {
+          allowed->push_back(m_points.position[i], m_points.normal[i]);
+          own.original.push_back(i);
+        }
+      own.points = allowed;
+      own.model = std::make_shared<const Model>(*allowed);
+    }
+    m_sources.push_back(own);
+    for(std::size_t e = 0; e < m_parameters.examples.size(); ++e)
+    {
+      Source further;
+      further.set = e + 1;
+      further.points = std::shared_ptr<const Surface_points>(&m_parameters.examples[e], [](const Surface_points*) {});
+      further.model = std::make_shared<const Model>(*further.points);
+      m_sources.push_back(further);
+    }
+  }
+
+  const Surface_points& m_points;
+  Engine_parameters m_parameters;
+  std::shared_ptr<const Model> m_model;
+  std::vector<Source> m_sources;
+  bool m_is_detected = false;
+  std::vector<std::shared_ptr<const Patch> > m_patches;
+  std::vector<Hole_data> m_holes;
+  std::vector<Hole_outcome> m_outcomes;
+  std::vector<Added_point> m_added;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_COMPLETION_ENGINE_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_ENGINE_TYPES_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_ENGINE_TYPES_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Surface_points.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+static const std::size_t no_index = static_cast<std::size_t>(-1);
+
+/// What detection says of an under-sampled place.
+enum class Hole_state
+{
+  hole,          ///< to be filled
+  outer_border,  ///< a border of the surface itself
+  too_small,     ///< below the minimum diameter
+  too_large,     ///< above the maximum diameter
+  excluded       ///< outside the regions that the user named, or inside those he barred
+};
+
+/// An under-sampled place, in the coordinates of the engine.
+struct Hole_data
+{
+  Vector center = Vector::Zero();
+  double diameter = 0;                            ///< largest distance of two rim points
+  double spacing = 0;                             ///< local spacing of the surroundings
+  Hole_state state = Hole_state::hole;
+  std::vector<std::vector<std::size_t> > loops;   ///< rim points, indices of input points, one list per rim
+  std::vector<Bbox_3> cells;                      ///< the invalid cells that were joined (leaf size)
+};
+
+/// Where the points of a hole came from.
+enum class Filling { none, copied, smooth };
+
+/// What completion did with one hole.
+struct Hole_outcome
+{
+  Filling filling = Filling::none;
+  std::string reason;          ///< a sentence: why copied, smooth or not filled
+  double expected_error = 0;   ///< mean distance to the true surface, model units
+  double match = 0;            ///< score of the best source place, 0 is perfect (eq. 1)
+  std::size_t level = 0;       ///< finest level of the tree that contributed
+  std::size_t added = 0;       ///< number of points added
+};
+
+/// A new point.
+struct Added_point
+{
+  Vector position = Vector::Zero();
+  Vector normal = Vector::Zero();
+  std::size_t source = no_index;      ///< index in the point set that it was copied from
+  std::size_t source_set = 0;         ///< 0: the completed set itself, i: the i-th further example set
+  std::size_t hole = 0;               ///< index of the hole
+  double confidence = 0;              ///< 0 to 1
+};
+
+/// All settings of a run, lengths in model units, 0 meaning "chosen by the engine".
+struct Engine_parameters
+{
+  bool paper = false;                         ///< the paper's own policy at every stage
+  double minimum_hole_diameter = 0;
+  double maximum_hole_diameter = 0;           ///< 0: no limit
+  std::vector<Bbox_3> regions;                ///< fill only here (empty: everywhere)
+  std::vector<Bbox_3> excluded_regions;       ///< never fill here
+  std::vector<char> is_example;               ///< per input point (empty: all may serve)
+  std::vector<Surface_points> examples;       ///< further example point sets
+  std::size_t maximum_depth = 0;              ///< 0: from the spacing
+  std::size_t minimum_cell_points = 15;       ///< m of the paper
+  double tolerance = 0;                       ///< epsilon of the paper; 0: half the spacing
+  std::size_t number_of_turns = 24;           ///< in-plane rotations of a surface frame
+  bool mirror = true;                         ///< mirrored copies, too
+  std::size_t number_of_candidates = 2000;    ///< size of the shortlist of places
+  bool keep_texture = true;                   ///< true in texture rather than nearest in distance
+  unsigned int random_seed = 0;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_ENGINE_TYPES_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_OVERLAP_ALIGNMENT_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_OVERLAP_ALIGNMENT_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Motion.h>
+#include <CGAL/Context_completion_3/internal/Nearest_point_grid.h>
+#include <CGAL/Context_completion_3/internal/Surface_model.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/// Where a hypothesis is measured: a known point of the overlap, or a sample of the current base in the hole.
+struct Match_probe
+{
+  Vector position = Vector::Zero();
+  Vector normal = Vector::Zero();
+  double weight = 1;
+};
+
+/// Weights of the match score; the terms are those of equations 1 to 3 of the paper, truncated.
+struct Match_weights
+{
+  double tau = 1;      ///< distance at which a probe counts as missed
+  double kappa = 0.5;  ///< weight of the directions against the distances (w_d)
+};
+
+/*!
+  Score and alignment of motions on the known overlap around a hole (paper, section 7.1, with point-to-plane distances:
+  closest points let a patch drift along the surface).
+*/
+template <typename ConcurrencyTag>
+class Overlap_alignment
+{
+  typedef Surface_model<ConcurrencyTag> Model;
+
+public:
+  /// Looks up near points in the grid (fast) or, without one, in the search structure of the model (exact).
+  Overlap_alignment(const Model& source, const Nearest_point_grid* grid)
+    : m_source(source), m_grid(grid)
+  {}
+
+  /// Weighted mean over the probes: 0 perfect, 1 + kappa nothing there.
+  double score(const std::vector<Match_probe>& probes, const Motion& motion, const Match_weights& weights) const
+  {
+    double sum = 0, total = 0;
+    for(const Match_probe& p : probes)
+    {
+      total += p.weight;
+      sum += p.weight * term(p, motion, weights);
+    }
+    return total > 0 ? sum / total : 1 + weights.kappa;
+  }
+
+  /// One summand of the score.
+  double term(const Match_probe& p, const Motion& motion, const Match_weights& weights) const
+  {
+    double distance, agreement;
+    if(!residual(p, motion, weights.tau, distance, agreement))
+      return 1 + weights.kappa;
+    const double d = distance / weights.tau;
+    return (std::min)(1., d * d) + weights.kappa * (std::min)(1., 1 - agreement);
+  }
+
+  /// Distance of a probe to the tangent plane of the nearest source point and the agreement of the normals.
+  bool residual(const Match_probe& p, const Motion& motion, double reach, double& distance, double& agreement) const
+  {
+    const Vector y = motion.inverse(p.position);
+    const std::size_t s = nearest(y, reach);
+    if(s == m_source.size())
+      return false;
+    const Vector& n = m_source.normal(s);
+    distance = n.dot(y - m_source.position(s));
+    agreement = n.dot(motion.inverse_normal(p.normal));
+    return true;
+  }
+
+  /*!
+    Point-to-plane ICP from `motion`; the correspondence cut shrinks as max(smallest, first * 0.7^i).
+    The system is damped, so that a symmetric overlap (sphere, plane) does not let the patch slide.
+  */
+  Motion align(const std::vector<Match_probe>& probes, Motion motion, double first, double smallest, int steps) const
+  {
+    Vector pivot = Vector::Zero();
+    double total = 0, extent = 0;
+    for(const Match_probe& p : probes)
+    {
+      pivot += p.weight * p.position;
+      total += p.weight;
+    }
+    if(total <= 0)
+      return motion;
+    pivot /= total;
+    for(const Match_probe& p : probes)
+      extent = (std::max)(extent, (p.position - pivot).norm());
+    if(extent <= 0)
+      return motion;
+    double cut = first;
+    for(int step = 0; step < steps; ++step, cut *= 0.7)
+    {
+      const double reach = (std::max)(smallest, cut);
+      Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
+      Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
+      double used = 0;
+      for(const Match_probe& p : probes)
+      {
+        const Vector y = motion.inverse(p.position);
+        const std::size_t s = nearest(y, reach);
+        if(s == m_source.size())
+          continue;
+        const Vector n = motion.normal(m_source.normal(s));
+        const double agreement = n.dot(p.normal);
+        const double d = n.dot(p.position - motion(m_source.position(s)));
+        if(agreement < 0.3 || std::abs(d) > reach)
+          continue;
+        Eigen::Matrix<double, 6, 1> row;
+        row.head<3>() = ((p.position - pivot) / extent).cross(n);
+        row.tail<3>() = n;
+        const double w = p.weight * agreement;
+        a.noalias() += w * row * row.transpose();
+        b += w * d * row;
+        used += w;
+      }
+      if(used < 0.1 * total)
+        return motion;
+      a.diagonal().array() += 1e-3 * used;
+      const Eigen::Matrix<double, 6, 1> x = a.ldlt().solve(b);
+      if(!x.allFinite())
+        return motion;
+      motion = motion.moved(x.head<3>() / extent, x.tail<3>(), pivot);
+    }
+    return motion;
+  }
+
+  /// Index of the nearest source point within about `reach`, or the number of points.
+  std::size_t nearest(const Vector& y, double reach) const
+  {
+    if(m_grid != nullptr)
+    {
+      const std::uint32_t s = (*m_grid)(y);
+      if(s == Nearest_point_grid::none)
+        return m_source.size();
+      const double room = reach + m_grid->voxel() + m_source.spacing();
+      return (m_source.position(s) - y).squaredNorm() <= room * room ? std::size_t(s) : m_source.size();
+    }
+    const Neighbor_search::Neighbor found = m_source.search().nearest(y);
+    return found.second <= reach + m_source.spacing() ? found.first : m_source.size();
+  }
+
+private:
+  const Model& m_source;
+  const Nearest_point_grid* m_grid;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_OVERLAP_ALIGNMENT_H

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_PATCH_TRANSFER_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_PATCH_TRANSFER_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Place_relief.h>
+#include <CGAL/Context_completion_3/internal/Point_grid.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/*!
+  Turns a plan into points: source points carried over, displaced along the normals of the base, thinned against the known
+  surface; then samples of the base, raised to the planned height, where nothing came to lie.
+*/
+template <typename ConcurrencyTag>
+class Patch_transfer
+{
+  typedef Smooth_patch<ConcurrencyTag> Patch;
+  typedef Surface_model<ConcurrencyTag> Model;
+  typedef Example_source<ConcurrencyTag> Source;
+
+public:
+  Patch_transfer(const Model& known, const Patch& patch, const Relief_sampler<ConcurrencyTag>& sampler,
+                 const std::vector<Source>& sources)
+    : m_known(known), m_patch(patch), m_sampler(sampler), m_sources(sources)
+  {
+    // Close to rim points is where new points belong; other known points keep them at a distance.
+    for(const Band_point& b : patch.band())
+      if(b.distance <= 1.2 * patch.spacing())
+        m_rim.insert(b.index);
+  }
+
+  /*!
+    \param place source, or null: smooth only
+    \param displacement per sample, along its normal, for carried points
+    \param heights per sample, for samples of the base that stand in where no source point came to lie
+  */
+  std::vector<Added_point> points(const Place* place, const Eigen::VectorXd& displacement,
+                                  const Eigen::VectorXd& heights) const
+  {
+    std::vector<Added_point> result;
+    Point_grid grid(m_patch.spacing());
+    if(place != nullptr)
+      carry(*place, displacement, grid, result);
+    raise(place, heights, grid, result);
+    return result;
+  }
+
+private:
+  void carry(const Place& place, const Eigen::VectorXd& displacement, Point_grid& grid,
+             std::vector<Added_point>& result) const
+  {
+    const Source& source = m_sources[place.source];
+    std::vector<std::size_t> indices;
+    m_sampler.carried_points(place, indices);
+    for(std::size_t i : indices)
+    {
+      Vector x = place.motion(source.model->position(i));
+      const Neighbor_search::Neighbor foot = m_sampler.search().nearest(x);
+      const Base_sample& b = m_patch.samples()[foot.first];
+      const Vector d = x - b.position;
+      const double up = d.dot(b.normal);
+      if(std::abs(up) > m_sampler.height_limit() || (d - up * b.normal).norm() > 1.3 * m_patch.spacing())
+        continue;
+      Added_point point;
+      point.normal = place.motion.normal(source.model->normal(i));
+      if(point.normal.dot(b.normal) < -0.5)
+        continue;
+      double shift; Vector gradient, direction;
+      interpolate(foot.first, x, displacement, shift, gradient, direction);
+      point.position = x + shift * direction;
+      point.normal = (point.normal - gradient * point.normal.dot(direction)).normalized();
+      point.source = source.original_index(i);
+      point.source_set = source.set;
+      add(point, 0.6, 0.8, 1.2, grid, result);
+    }
+  }
+
+  void raise(const Place* place, const Eigen::VectorXd& heights, Point_grid& grid,
+             std::vector<Added_point>& result) const
+  {
+    const double room = place == nullptr ? 0.5 : 1.15;
+    for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
+    {
+      const Base_sample& b = m_patch.samples()[s];
+      double height; Vector gradient, direction;
+      interpolate(s, b.position, heights, height, gradient, direction);
+      Added_point point;
+      point.position = b.position + heights[Eigen::Index(s)] * b.normal;
+      point.normal = (b.normal - gradient).normalized();
+      const std::size_t set = place == nullptr ? 0 : place->source;
+      const Vector y = place == nullptr ? point.position : place->motion.inverse(point.position);
+      point.source = m_sources[set].original_index(m_sources[set].model->search().nearest(y).first);
+      point.source_set = m_sources[set].set;
+      add(point, room, (std::max)(0.7, room), (std::max)(0.9, room), grid, result);
+    }
+  }
+
+  // rooms in spacings: to new points, to rim points, to other known points
+  void add(const Added_point& point, double room, double rim_room, double known_room, Point_grid& grid,
+           std::vector<Added_point>& result) const
+  {
+    const double h = m_patch.spacing();
+    if(!point.position.allFinite() || !point.normal.allFinite())
+      return;
+    bool is_free = true;
+    grid.for_each_in_ball(point.position, room * h, [&](std::size_t k, double) {
+      is_free = !is_same_side(result[k].normal, point.normal);
+      return is_free; });
+    if(!is_free)
+      return;
+    std::vector<std::size_t> ball;
+    m_known.search().in_ball(point.position, (std::max)(rim_room, known_room) * h, ball);
+    for(std::size_t k : ball)
+    {
+      const double distance = (m_known.position(k) - point.position).norm();
+      const bool is_rim = m_rim.count(k) > 0;
+      if(distance < (is_rim ? rim_room : known_room) * h && is_same_side(m_known.normal(k), point.normal))
+        return;
+    }
+    grid.insert(point.position);
+    result.push_back(point);
+  }
+
+  // Value, gradient in the tangent plane and direction of a field of the samples above or below sample `foot`.
+  void interpolate(std::size_t foot, const Vector& x, const Eigen::VectorXd& field, double& value, Vector& gradient,
+                   Vector& direction) const
+  {
+    const Base_sample& b = m_patch.samples()[foot];
+    const Vector u = b.normal.unitOrthogonal(), v = b.normal.cross(u);
+    const double sigma = m_patch.spacing();
+    Matrix a = Matrix::Zero();
+    Vector right = Vector::Zero();
+    direction = Vector::Zero();
+    const Vector p = x - b.normal * b.normal.dot(x - b.position);
+    for(std::size_t s : m_sampler.neighbors(foot))
+    {
+      const Base_sample& c = m_patch.samples()[s];
+      const Vector d = c.position - p;
+      const Vector row(1, d.dot(u) / sigma, d.dot(v) / sigma);
+      const double w = std::exp(-0.5 * (row[1] * row[1] + row[2] * row[2]));
+      a.noalias() += w * row * row.transpose();
+      right += w * field[Eigen::Index(s)] * row;
+      direction += w * c.normal;
+    }
+    a(1, 1) += 0.05 * a(0, 0);
+    a(2, 2) += 0.05 * a(0, 0);
+    const Vector c = a.ldlt().solve(right);
+    value = c[0];
+    gradient = (c[1] * u + c[2] * v) / sigma;
+    direction.normalize();
+  }
+
+  const Model& m_known;
+  const Patch& m_patch;
+  const Relief_sampler<ConcurrencyTag>& m_sampler;
+  const std::vector<Source>& m_sources;
+  std::unordered_set<std::size_t> m_rim;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_PATCH_TRANSFER_H

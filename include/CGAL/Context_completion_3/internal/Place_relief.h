@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_RELIEF_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_RELIEF_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Example_source.h>
+#include <CGAL/Context_completion_3/internal/Place_search.h>
+#include <CGAL/Context_completion_3/internal/Smooth_patch.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/*!
+  A source place seen from the base of the hole: height of the carried source surface over the samples of the base, and
+  its difference from the known surface (value and slope) at the centres around the rim.
+*/
+struct Place_relief
+{
+  Eigen::VectorXd height;             ///< per base sample
+  std::vector<char> is_covered;       ///< per base sample: the source has a surface there
+  Eigen::VectorXd rim;                ///< per centre: value, then gradient (4 numbers)
+  double coverage = 0;                ///< share of covered samples
+};
+
+/// Computes `Place_relief` for the places of one hole.
+template <typename ConcurrencyTag>
+class Relief_sampler
+{
+  typedef Smooth_patch<ConcurrencyTag> Patch;
+  typedef Surface_model<ConcurrencyTag> Model;
+  typedef Example_source<ConcurrencyTag> Source;
+
+public:
+  Relief_sampler(const Patch& patch, const std::vector<Source>& sources)
+    : m_patch(patch), m_sources(sources)
+  {
+    std::vector<Vector> positions;
+    for(const Base_sample& s : patch.samples())
+      positions.push_back(s.position);
+    m_search = std::make_unique<Neighbor_search>(positions);
+    m_neighbors.resize(positions.size());
+    for(std::size_t i = 0; i < positions.size(); ++i)
+      m_search->in_ball(positions[i], 2.2 * patch.spacing(), m_neighbors[i]);
+    Vector low = positions[0], high = positions[0];
+    for(const Vector& p : positions)
+    {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    m_middle = (low + high) / 2;
+    for(const Vector& p : positions)
+      m_reach = (std::max)(m_reach, (p - m_middle).norm());
+  }
+
+  /// Neighbours of a sample on the base, itself included.
+  const std::vector<std::size_t>& neighbors(std::size_t sample) const { return m_neighbors[sample]; }
+  const Neighbor_search& search() const { return *m_search; }
+
+  /// Source points that may come to lie over the hole.
+  void carried_points(const Place& place, std::vector<std::size_t>& indices) const
+  {
+    const Model& model = *m_sources[place.source].model;
+    model.search().in_ball(place.motion.inverse(m_middle), 1.15 * m_reach + height_limit(), indices);
+  }
+
+  /// Relief beyond this height over the base belongs to another part of the shape.
+  double height_limit() const { return (std::max)(4 * m_patch.spacing(), 0.7 * m_reach); }
+
+  Place_relief relief(const Place& place) const
+  {
+    Place_relief result;
+    sample_heights(place, result);
+    sample_rim(place, result);
+    return result;
+  }
+
+private:
+  // Each carried point raises the samples near the foot of its perpendicular by its tangent plane.
+  void sample_heights(const Place& place, Place_relief& result) const
+  {
+    const Model& model = *m_sources[place.source].model;
+    const std::vector<Base_sample>& samples = m_patch.samples();
+    const Eigen::Index n = Eigen::Index(samples.size());
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(n), total = Eigen::VectorXd::Zero(n);
+    const double sigma = 0.6 * m_patch.spacing();
+    std::vector<std::size_t> points;
+    carried_points(place, points);
+    for(std::size_t i : points)
+    {
+      const Vector x = place.motion(model.position(i)), m = place.motion.normal(model.normal(i));
+      const Neighbor_search::Neighbor foot = m_search->nearest(x);
+      if(foot.second > height_limit())
+        continue;
+      for(std::size_t s : m_neighbors[foot.first])
+      {
+        const Base_sample& b = samples[s];
+        const double facing = m.dot(b.normal);
+        if(facing < 0.1)
+          continue;
+        const Vector d = x - b.position;
+        const double up = d.dot(b.normal), lateral = (d - up * b.normal).norm();
+        if(lateral > 2.2 * m_patch.spacing())
+          continue;
+        // tangent planes steeper than 60 degrees say nothing about the height beside them
+        const double height = facing > 0.5 ? m.dot(d) / facing : up;
+        const double w = facing * std::exp(-lateral * lateral / (2 * sigma * sigma));
+        sum[Eigen::Index(s)] += w * height;
+        total[Eigen::Index(s)] += w;
+      }
+    }
+    result.height = Eigen::VectorXd::Zero(n);
+    result.is_covered.assign(samples.size(), 0);
+    std::size_t covered = 0;
+    for(Eigen::Index s = 0; s < n; ++s)
+      if(total[s] > 0.05)
+      {
+        result.height[s] = sum[s] / total[s];
+        result.is_covered[std::size_t(s)] = 1;
+        ++covered;
+      }
+    result.coverage = double(covered) / double(n);
+    fill_gaps(result);
+  }
+
+  // Uncovered samples take the mean of covered neighbours, ring by ring.
+  void fill_gaps(Place_relief& result) const
+  {
+    std::vector<char> known = result.is_covered;
+    for(bool changed = true; changed; )
+    {
+      changed = false;
+      std::vector<char> next = known;
+      for(std::size_t s = 0; s < known.size(); ++s)
+      {
+        if(known[s])
+          continue;
+        double sum = 0;
+        std::size_t count = 0;
+        for(std::size_t t : m_neighbors[s])
+          if(known[t])
+          {
+            sum += result.height[Eigen::Index(t)];
+            ++count;
+          }
+        if(count > 0)
+        {
+          result.height[Eigen::Index(s)] = sum / double(count);
+          next[s] = 1;
+          changed = true;
+        }
+      }
+      known.swap(next);
+    }
+  }
+
+  void sample_rim(const Place& place, Place_relief& result) const
+  {
+    const Model& model = *m_sources[place.source].model;
+    const std::vector<Base_center>& centers = m_patch.centers();
+    const Eigen::Index n = Eigen::Index(centers.size());
+    result.rim = Eigen::VectorXd::Zero(4 * n);
+    const double limit = 0.5 * m_reach;
+    std::vector<std::size_t> buffer;
+    for(Eigen::Index i = 0; i < n; ++i)
+    {
+      const Base_center& c = centers[std::size_t(i)];
+      Surface_element fit;
+      const Vector axis = place.motion.inverse_normal(c.normal);
+      if(!model.quadratic_fit(place.motion.inverse(c.position), axis, 3 * m_patch.area_spacing(), fit, buffer))
+        continue;
+      const double facing = fit.normal.dot(axis);
+      const double height = axis.dot(fit.position - place.motion.inverse(c.position));
+      if(facing < 0.3 || std::abs(height) > limit)
+        continue;
+      result.rim[4 * i] = height;
+      result.rim.segment<3>(4 * i + 1) = -place.motion.normal(fit.normal - facing * axis) / facing;
+    }
+  }
+
+  const Patch& m_patch;
+  const std::vector<Source>& m_sources;
+  std::unique_ptr<Neighbor_search> m_search;
+  std::vector<std::vector<std::size_t> > m_neighbors;
+  Vector m_middle = Vector::Zero();
+  double m_reach = 0;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_RELIEF_H

@@ -1,0 +1,349 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_SEARCH_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_SEARCH_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Example_source.h>
+#include <CGAL/Context_completion_3/internal/Overlap_alignment.h>
+#include <CGAL/Context_completion_3/internal/Point_grid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/// A source place carried into a hole.
+struct Place
+{
+  std::size_t source = 0;            ///< which example source
+  Motion motion;                     ///< source to hole
+  Vector origin = Vector::Zero();    ///< where the centre of the hole lies on the source
+  double score = 0;                  ///< match score, 0 perfect
+};
+
+/// What is searched for: the surroundings of a hole and its current base.
+struct Match_target
+{
+  Surface_frame frame;                      ///< at the middle of the hole
+  double radius = 0;
+  double spacing = 0;
+  std::vector<Match_probe> overlap;         ///< known surroundings
+  std::vector<Match_probe> base;            ///< the current approximation inside, of less weight
+};
+
+struct Search_settings
+{
+  std::size_t number_of_turns = 24;
+  bool mirror = true;
+  std::size_t number_of_places = 4000;      ///< at most so many source places are tried
+  std::size_t number_of_results = 24;
+};
+
+/*!
+  Candidates and best matches of the default policy (paper, section 6.3): source places anywhere on the surface in local
+  frames, turned about the normal and mirrored, instead of axis-aligned cells.
+
+  Three rounds, each keeping less and measuring better: all places and turns on a coarse set of probes, up to a shift
+  along the normal and a tilt; a short alignment of the best; the full alignment and the exact score of what remains.
+*/
+template <typename ConcurrencyTag>
+class Place_search
+{
+  typedef Surface_model<ConcurrencyTag> Model;
+  typedef Example_source<ConcurrencyTag> Source;
+
+  struct Hypothesis
+  {
+    std::size_t place;
+    Motion motion;
+    double score;
+  };
+
+public:
+  Place_search(const std::vector<Source>& sources, const Search_settings& settings)
+    : m_sources(sources), m_settings(settings)
+  {}
+
+  /// The best places of all sources, best first, their origins at least half a radius apart.
+  std::vector<Place> search(const Match_target& target) const
+  {
+    std::vector<Place> found;
+    for(std::size_t s = 0; s < m_sources.size(); ++s)
+      if(m_sources[s].model->size() > 0)
+        search_source(s, target, found);
+    return separated(found, 0.5 * target.radius, m_settings.number_of_results);
+  }
+
+  /// The score of the final ranking: overlap and, with a quarter of the weight, base; tau is two spacings.
+  static double exact_score(const Model& source, const Match_target& target, const Motion& motion)
+  {
+    Match_weights weights;
+    weights.tau = 2 * target.spacing;
+    const Overlap_alignment<ConcurrencyTag> exact(source, nullptr);
+    const double overlap = exact.score(target.overlap, motion, weights);
+    if(target.base.empty())
+      return overlap;
+    // Inside the hole the base is only a guess: what counts there is whether the source has a surface at all.
+    double inside = 0;
+    std::size_t covered = 0;
+    for(const Match_probe& p : target.base)
+    {
+      inside += exact.term(p, motion, weights);
+      const Vector y = motion.inverse(p.position);
+      covered += source.search().nearest(y).second < 0.6 * target.radius;
+    }
+    inside /= double(target.base.size());
+    const double share = double(covered) / double(target.base.size());
+    return 0.8 * overlap + 0.2 * inside + 2 * (std::max)(0., 0.97 - share);
+  }
+
+private:
+  void search_source(std::size_t s, const Match_target& target, std::vector<Place>& found) const
+  {
+    const Model& model = *m_sources[s].model;
+    const std::vector<Surface_frame> frames = source_frames(model, target);
+    const double tau = (std::max)(3 * target.spacing, 0.12 * target.radius);
+    const double voxel = (std::max)(0.7 * target.spacing, 0.05 * target.radius);
+    const Nearest_point_grid grid(model.points(), voxel, int(std::ceil(tau / voxel)) + 1);
+    const Overlap_alignment<ConcurrencyTag> fast(model, &grid), exact(model, nullptr);
+
+    std::vector<Hypothesis> best = first_round(model, frames, target, grid, tau);
+    keep_best(best, 800);
+
+    const std::vector<Match_probe> some = thinned(target.overlap, 120);
+    Match_weights weights;
+    weights.tau = (std::max)(2 * target.spacing, 0.08 * target.radius);
+    std::vector<std::size_t> indices = sequence(best.size());
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    {
+      best[i].motion = fast.align(some, best[i].motion, tau, (std::max)(1.5 * target.spacing, 1.5 * voxel), 5);
+      best[i].score = fast.score(some, best[i].motion, weights);
+      return true;
+    });
+    keep_best(best, best.size());
+    std::vector<Place> places;
+    for(const Hypothesis& h : best)
+      places.push_back(place(s, target, h.motion, h.score));
+    places = separated(places, 0.25 * target.radius, 72);
+
+    indices = sequence(places.size());
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    {
+      const Motion motion = exact.align(target.overlap, places[i].motion, weights.tau, 1.5 * target.spacing, 8);
+      places[i] = place(s, target, motion, exact_score(model, target, motion));
+      return true;
+    });
+    found.insert(found.end(), places.begin(), places.end());
+  }
+
+  static Place place(std::size_t s, const Match_target& target, const Motion& motion, double score)
+  {
+    Place result;
+    result.source = s;
+    result.motion = motion;
+    result.origin = motion.inverse(target.frame.origin);
+    result.score = score;
+    return result;
+  }
+
+  // Smoothed at a quarter of the radius: the frame of the place must be that of its base, not of its detail.
+  std::vector<Surface_frame> source_frames(const Model& model, const Match_target& target) const
+  {
+    double distance = (std::max)(1.5 * target.spacing, 0.15 * target.radius);
+    std::vector<std::size_t> chosen;
+    for(;;)
+    {
+      chosen.clear();
+      Point_grid grid(distance);
+      for(std::size_t i = 0; i < model.size(); ++i)
+      {
+        bool is_free = true;
+        grid.for_each_in_ball(model.position(i), distance, [&](std::size_t c, double) {
+          is_free = !is_same_side(model.normal(i), model.normal(chosen[c]));
+          return is_free; });
+        if(is_free)
+        {
+          grid.insert(model.position(i));
+          chosen.push_back(i);
+        }
+      }
+      if(chosen.size() <= m_settings.number_of_places)
+        break;
+      distance *= (std::max)(1.1, std::sqrt(double(chosen.size()) / double(m_settings.number_of_places)));
+    }
+    std::vector<Surface_frame> frames(chosen.size());
+    const double sigma = 0.25 * target.radius;
+    const std::vector<std::size_t> indices = sequence(chosen.size());
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t k) -> bool
+    {
+      const std::size_t i = chosen[k];
+      std::vector<std::size_t> ball;
+      model.search().in_ball(model.position(i), 1.6 * sigma, ball);
+      Vector position = Vector::Zero(), normal = Vector::Zero();
+      double total = 0;
+      for(std::size_t j : ball)
+        if(is_same_side(model.normal(i), model.normal(j)))
+        {
+          const double w = std::exp(-(model.position(j) - model.position(i)).squaredNorm() / (2 * sigma * sigma));
+          position += w * model.position(j);
+          normal += w * model.normal(j);
+          total += w;
+        }
+      frames[k].origin = position / total;
+      frames[k].normal = normal.norm() > 1e-6 * total ? normal.normalized() : model.normal(i);
+      frames[k].axis = frames[k].normal.unitOrthogonal();
+      return true;
+    });
+    return frames;
+  }
+
+  // All turns of all places; the three best of a place go on.
+  std::vector<Hypothesis> first_round(const Model& model, const std::vector<Surface_frame>& frames,
+                                      const Match_target& target, const Nearest_point_grid& grid, double tau) const
+  {
+    const std::vector<Match_probe> probes = thinned(target.overlap, 56);
+    const std::size_t turns = m_settings.number_of_turns, kept = 3;
+    std::vector<Surface_frame> turned;
+    for(std::size_t t = 0; t < turns; ++t)
+      turned.push_back(target.frame.turned(2 * 3.14159265358979323846 * double(t) / double(turns)));
+    std::vector<Hypothesis> all(frames.size() * kept);
+    const std::vector<std::size_t> indices = sequence(frames.size());
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    {
+      std::vector<Hypothesis> here;
+      for(int mirrored = 0; mirrored < (m_settings.mirror ? 2 : 1); ++mirrored)
+        for(std::size_t t = 0; t < turns; ++t)
+        {
+          Hypothesis h;
+          h.place = i;
+          h.motion = turned[t].motion_from(frames[i], mirrored != 0);
+          h.score = coarse_score(model, probes, target, h.motion, grid, tau);
+          here.push_back(h);
+        }
+      std::stable_sort(here.begin(), here.end(), [](const Hypothesis& a, const Hypothesis& b)
+        { return a.score < b.score; });
+      for(std::size_t k = 0; k < kept; ++k)
+        all[i * kept + k] = here[(std::min)(k, here.size() - 1)];
+      return true;
+    });
+    return all;
+  }
+
+  // Score up to a shift along the normal and a tilt of the patch, which the alignment will find.
+  double coarse_score(const Model& model, const std::vector<Match_probe>& probes, const Match_target& target,
+                      const Motion& motion, const Nearest_point_grid& grid, double tau) const
+  {
+    const double kappa = 0.5;
+    double distance[64], agreement[64], along[64][3];
+    const std::size_t n = (std::min)(probes.size(), std::size_t(64));
+    const Vector u = target.frame.axis, v = target.frame.normal.cross(u);
+    Matrix a = Matrix::Zero();
+    Vector b = Vector::Zero();
+    double total = 0;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const Match_probe& p = probes[i];
+      total += p.weight;
+      distance[i] = 2 * tau;
+      const Vector y = motion.inverse(p.position);
+      const std::uint32_t s = grid(y);
+      if(s == Nearest_point_grid::none)
+        continue;
+      const Vector& normal = model.normal(s);
+      const double d = normal.dot(y - model.position(s));
+      if(std::abs(d) > tau)
+        continue;
+      distance[i] = d;
+      agreement[i] = normal.dot(motion.inverse_normal(p.normal));
+      const Vector q = (p.position - target.frame.origin) / target.radius;
+      along[i][0] = 1; along[i][1] = q.dot(u); along[i][2] = q.dot(v);
+      const Vector row(along[i][0], along[i][1], along[i][2]);
+      const double w = p.weight * (std::max)(0., agreement[i]);
+      a.noalias() += w * row * row.transpose();
+      b += w * d * row;
+    }
+    a.diagonal().array() += 0.05 * total;
+    const Vector c = a.ldlt().solve(b);
+    double sum = 0;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double w = probes[i].weight;
+      if(distance[i] > tau)
+      {
+        sum += w * (1 + kappa);
+        continue;
+      }
+      const double d = (distance[i] - c[0] - c[1] * along[i][1] - c[2] * along[i][2]) / tau;
+      sum += w * ((std::min)(1., d * d) + kappa * (std::min)(1., 1 - agreement[i]));
+    }
+    return total > 0 ? sum / total : 1 + kappa;
+  }
+
+  static void keep_best(std::vector<Hypothesis>& all, std::size_t number)
+  {
+    std::stable_sort(all.begin(), all.end(), [](const Hypothesis& a, const Hypothesis& b)
+      { return a.score < b.score; });
+    if(all.size() > number)
+      all.resize(number);
+  }
+
+  static std::vector<Place> separated(std::vector<Place> places, double distance, std::size_t number)
+  {
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.score < b.score; });
+    std::vector<Place> kept;
+    for(const Place& p : places)
+    {
+      bool is_free = true;
+      for(const Place& q : kept)
+        is_free = is_free && (q.source != p.source || (q.origin - p.origin).norm() >= distance);
+      if(is_free)
+        kept.push_back(p);
+      if(kept.size() == number)
+        break;
+    }
+    return kept;
+  }
+
+  static std::vector<std::size_t> sequence(std::size_t n)
+  {
+    std::vector<std::size_t> indices(n);
+    for(std::size_t i = 0; i < n; ++i)
+      indices[i] = i;
+    return indices;
+  }
+
+  // Every k-th probe; probes come by increasing distance from the rim, so all distances stay represented.
+  static std::vector<Match_probe> thinned(const std::vector<Match_probe>& probes, std::size_t number)
+  {
+    if(probes.size() <= number)
+      return probes;
+    std::vector<Match_probe> result;
+    for(std::size_t i = 0; i < number; ++i)
+      result.push_back(probes[i * probes.size() / number]);
+    return result;
+  }
+
+  const std::vector<Source>& m_sources;
+  Search_settings m_settings;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_SEARCH_H

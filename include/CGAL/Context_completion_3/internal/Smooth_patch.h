@@ -1,0 +1,354 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_SMOOTH_PATCH_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_SMOOTH_PATCH_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Point_grid.h>
+#include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
+#include <CGAL/Context_completion_3/internal/Rim_detection.h>
+#include <CGAL/Context_completion_3/internal/Surface_band.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/// A sample of the smooth base.
+struct Base_sample
+{
+  Vector position = Vector::Zero();
+  Vector normal = Vector::Zero();
+  bool is_uncovered = false;   ///< no known point is near: evidence of a hole
+};
+
+/// A denoised point of the surroundings, where the base interpolates position and normal.
+struct Base_center
+{
+  Vector position = Vector::Zero();
+  Vector normal = Vector::Zero();
+  double distance = 0;         ///< to the rim
+};
+
+/*!
+  The smooth base over a whole hole: polyharmonic through the surroundings, sampled from the rim inwards. It is the
+  coarsest approximation of the missing surface (in place of the quadric of the parent cell, which cannot cover a hole as
+  large as the cell), the guide of the search, and the answer where no example is trusted.
+*/
+template <typename ConcurrencyTag>
+class Smooth_patch
+{
+  typedef Surface_model<ConcurrencyTag> Model;
+
+public:
+  Smooth_patch(const Model& model, const std::vector<Rim_loop>& loops)
+    : m_model(model), m_loops(loops)
+  {
+    std::vector<double> spacings, area_spacings;
+    double diameter = 0;
+    for(const Rim_loop& loop : loops)
+    {
+      for(const Rim_point& p : loop.points)
+      {
+        m_rim.push_back(p.index);
+        spacings.push_back(model.spacing(p.index));
+        area_spacings.push_back(model.area_spacing(p.index));
+      }
+      for(const Rim_loop& other : loops)
+        diameter = (std::max)(diameter, (loop.center - other.center).norm() + (loop.diameter + other.diameter) / 2);
+    }
+    m_diameter = diameter;
+    m_spacing = median(spacings);
+    m_area_spacing = median(area_spacings);
+    m_band = surface_band(model, m_rim, band_width());
+    choose_centers();
+    if(m_centers.size() < 4)
+      return;
+    std::vector<Vector> positions;
+    for(const Base_center& c : m_centers)
+      positions.push_back(c.position);
+    m_base = std::make_unique<Polyharmonic_base>(positions, Polyharmonic_base::cubic, scale());
+    m_coefficients = m_base->solve(normal_data()).col(0);
+    project_band();
+    grow();
+    if(m_is_closed)
+      relax();
+  }
+
+  const std::vector<Rim_loop>& loops() const { return m_loops; }
+  const std::vector<std::size_t>& rim() const { return m_rim; }
+  const std::vector<Band_point>& band() const { return m_band; }
+  const std::vector<Base_center>& centers() const { return m_centers; }
+  const std::vector<Base_sample>& samples() const { return m_samples; }
+  const Polyharmonic_base& base() const { return *m_base; }
+  double spacing() const { return m_spacing; }
+  double area_spacing() const { return m_area_spacing; }
+  double diameter() const { return m_diameter; }
+
+  /// Whether the base ends at the rim everywhere; otherwise it runs off to infinity: an outer border.
+  bool is_closed() const { return m_is_closed; }
+
+  std::size_t number_of_uncovered() const
+  {
+    std::size_t n = 0;
+    for(const Base_sample& s : m_samples)
+      n += s.is_uncovered;
+    return n;
+  }
+
+  /// Known points at which the sampling arrived: rims that belong to the same hole.
+  const std::vector<std::size_t>& reached() const { return m_reached; }
+
+  double scale() const { return (std::max)(m_diameter / 2, 2 * m_spacing); }
+
+  /// Right hand side "value 0, gradient = normal" of the centres: the base itself.
+  Eigen::MatrixXd normal_data() const
+  {
+    Eigen::MatrixXd data = Eigen::MatrixXd::Zero(4 * Eigen::Index(m_centers.size()), 1);
+    for(std::size_t i = 0; i < m_centers.size(); ++i)
+      data.block<3, 1>(4 * Eigen::Index(i) + 1, 0) = m_centers[i].normal;
+    return data;
+  }
+
+  /// Moves `x` onto the base along the gradient. \return whether it arrived
+  bool project(Vector& x, Vector& normal) const
+  {
+    const double reach = scale();
+    for(int step = 0; step < 6; ++step)
+    {
+      Vector gradient;
+      const double f = m_base->value(x, m_coefficients, gradient);
+      const double g2 = gradient.squaredNorm();
+      if(!(g2 > 1e-4))
+        return false;
+      const Vector move = (-f / g2) * gradient;
+      if(!(move.norm() < reach))
+        return false;
+      x += move;
+      normal = gradient / std::sqrt(g2);
+      if(move.norm() < 1e-3 * m_spacing)
+        break;
+    }
+    return x.allFinite();
+  }
+
+private:
+  static double median(std::vector<double> v)
+  {
+    std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
+    return v[v.size() / 2];
+  }
+
+  double band_width() const { return (std::max)(5 * m_area_spacing, 0.45 * m_diameter); }
+
+  // Dense near the rim, thinner away from it; the number bounds the dense system.
+  void choose_centers()
+  {
+    const std::size_t most = 280;
+    std::vector<std::size_t> chosen;
+    for(double factor = 1; ; factor *= 1.2)
+    {
+      chosen.clear();
+      Point_grid grid(2 * factor * m_spacing);
+      for(std::size_t b = 0; b < m_band.size() && chosen.size() <= most; ++b)
+      {
+        const double room = factor * (std::max)(1.2 * m_spacing, 0.4 * m_band[b].distance);
+        const std::size_t index = m_band[b].index;
+        bool is_free = true;
+        grid.for_each_in_ball(m_model.position(index), room, [&](std::size_t c, double) {
+          is_free = !is_same_side(m_model.normal(index), m_model.normal(m_band[chosen[c]].index));
+          return is_free; });
+        if(!is_free)
+          continue;
+        grid.insert(m_model.position(index));
+        chosen.push_back(b);
+      }
+      if(chosen.size() <= most)
+        break;
+    }
+    std::vector<std::size_t> buffer;
+    for(std::size_t b : chosen)
+    {
+      const std::size_t i = m_band[b].index;
+      Surface_element fit;
+      Base_center center;
+      if(m_model.quadratic_fit(m_model.position(i), m_model.normal(i), fit_radius(), fit, buffer))
+      {
+        center.position = fit.position;
+        center.normal = fit.normal;
+      }
+      else
+      {
+        center.position = m_model.position(i);
+        center.normal = m_model.normal(i);
+      }
+      center.distance = m_band[b].distance;
+      m_centers.push_back(center);
+    }
+  }
+
+  double fit_radius() const { return 3 * m_area_spacing; }
+
+  // What is covered is decided on the base: relief of any height over it covers the place below.
+  void project_band()
+  {
+    for(const Band_point& b : m_band)
+    {
+      Vector x = m_model.position(b.index), normal;
+      if(!project(x, normal) || (x - m_model.position(b.index)).norm() > scale() ||
+         !is_same_side(normal, m_model.normal(b.index)))
+        continue;
+      m_footprints.push_back(x);
+      m_footprint_normals.push_back(normal);
+      m_footprint_index.push_back(b.index);
+    }
+  }
+
+  void grow()
+  {
+    const double h = m_spacing;
+    Point_grid known(1.7 * h), grid(h);
+    for(const Vector& x : m_footprints)
+      known.insert(x);
+    std::deque<std::pair<std::size_t, Vector> > front;
+    const double length = double(m_rim.size()) * h;
+    const std::size_t most = std::size_t(3 * length * length / (4 * 3.1416 * h * h)) + 60;
+    std::vector<char> is_reached(m_footprints.size(), 0);
+    const auto try_sample = [&](Vector x, const Vector& from, const Vector& from_normal) -> bool
+    {
+      Vector normal;
+      if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h)
+        return false;
+      double nearest = 1.7 * h;
+      bool is_free = true;
+      known.for_each_in_ball(x, 1.7 * h, [&](std::size_t k, double d) {
+        if(!is_same_side(normal, m_footprint_normals[k]))
+          return true;
+        is_reached[k] = 1;
+        nearest = (std::min)(nearest, d);
+        return true; });
+      if(nearest < 0.8 * h)
+        return false;
+      grid.for_each_in_ball(x, 0.82 * h, [&](std::size_t s, double) {
+        is_free = !is_same_side(normal, m_samples[s].normal);
+        return is_free; });
+      if(!is_free)
+        return false;
+      Base_sample sample;
+      sample.position = x;
+      sample.normal = normal;
+      sample.is_uncovered = nearest >= 1.5 * h;
+      if(nearest >= 1.25 * h)
+        front.emplace_back(m_samples.size(), (x - from).normalized());
+      grid.insert(x);
+      m_samples.push_back(sample);
+      return true;
+    };
+    for(const Rim_loop& loop : m_loops)
+      for(const Rim_point& p : loop.points)
+      {
+        const Vector from = m_model.position(p.index);
+        try_sample(from + h * p.outward, from, m_model.normal(p.index));
+        try_sample(from + 1.4 * h * p.outward, from, m_model.normal(p.index));
+      }
+    const double farthest = m_diameter + 6 * h;
+    while(!front.empty())
+    {
+      const std::size_t a = front.front().first;
+      const Vector direction = front.front().second;
+      front.pop_front();
+      const Base_sample sample = m_samples[a];
+      const Vector u = (direction - direction.dot(sample.normal) * sample.normal).normalized();
+      const Vector v = sample.normal.cross(u);
+      const double angle[] = {0, 1.0472, -1.0472, 2.0944, -2.0944, 3.1416};
+      for(double t : angle)
+        try_sample(sample.position + h * (std::cos(t) * u + std::sin(t) * v), sample.position, sample.normal);
+      if(m_samples.size() > most || (sample.position - m_loops.front().center).norm() > farthest)
+      {
+        m_is_closed = false;
+        return;
+      }
+    }
+    m_is_closed = true;
+    for(std::size_t k = 0; k < is_reached.size(); ++k)
+      if(is_reached[k])
+        m_reached.push_back(m_footprint_index[k]);
+    std::sort(m_reached.begin(), m_reached.end());
+    m_reached.erase(std::unique(m_reached.begin(), m_reached.end()), m_reached.end());
+  }
+
+  // Repulsion evens out the sampling that the front left, up to the rim.
+  void relax()
+  {
+    const double h = m_spacing, reach = 1.25 * h;
+    Point_grid known(reach);
+    for(const Vector& x : m_footprints)
+      known.insert(x);
+    for(int round = 0; round < 4; ++round)
+    {
+      Point_grid grid(reach);
+      for(const Base_sample& s : m_samples)
+        grid.insert(s.position);
+      std::vector<Base_sample> moved = m_samples;
+      for(std::size_t i = 0; i < m_samples.size(); ++i)
+      {
+        const Vector p = m_samples[i].position;
+        Vector push = Vector::Zero();
+        const auto repel = [&](const Vector& q, double d) {
+          if(d > 0)
+            push += (reach - d) / d * (p - q); };
+        grid.for_each_in_ball(p, reach, [&](std::size_t k, double d) {
+          if(is_same_side(m_samples[k].normal, m_samples[i].normal))
+            repel(grid.point(k), d);
+          return true; });
+        known.for_each_in_ball(p, reach, [&](std::size_t k, double d) {
+          if(is_same_side(m_footprint_normals[k], m_samples[i].normal))
+            repel(known.point(k), d);
+          return true; });
+        Vector x = p + 0.35 * push, normal;
+        if((x - p).norm() < h && project(x, normal) && (x - p).norm() < h)
+        {
+          moved[i].position = x;
+          moved[i].normal = normal;
+        }
+      }
+      m_samples.swap(moved);
+    }
+  }
+
+  const Model& m_model;
+  std::vector<Rim_loop> m_loops;
+  std::vector<std::size_t> m_rim;
+  std::vector<Band_point> m_band;
+  std::vector<Base_center> m_centers;
+  std::unique_ptr<Polyharmonic_base> m_base;
+  Eigen::VectorXd m_coefficients;
+  std::vector<Vector> m_footprints, m_footprint_normals;
+  std::vector<std::size_t> m_footprint_index;
+  std::vector<Base_sample> m_samples;
+  std::vector<std::size_t> m_reached;
+  double m_spacing = 0, m_area_spacing = 0, m_diameter = 0;
+  bool m_is_closed = false;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_SMOOTH_PATCH_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_SURFACE_MODEL_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_SURFACE_MODEL_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Surface_points.h>
+
+#include <CGAL/for_each.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/// A point of the denoised surface and its unit normal.
+struct Surface_element
+{
+  Vector position = Vector::Zero();
+  Vector normal = Vector::Zero();
+};
+
+/*!
+  A point set together with what all stages ask of it: neighbours, local spacing, local quadratic fits.
+
+  Two measures of spacing serve two ends. `spacing(i)` is a distance to the nearest neighbour, smoothed: new points keep
+  it. `area_spacing(i)` is the square root of the area per point; it grows with irregularity of the sampling, so gaps
+  are judged by it.
+*/
+template <typename ConcurrencyTag>
+class Surface_model
+{
+public:
+  explicit Surface_model(const Surface_points& points)
+    : m_points(points), m_search(points.position)
+  {
+    compute_spacing();
+  }
+
+  std::size_t size() const { return m_points.size(); }
+  const Surface_points& points() const { return m_points; }
+  const Vector& position(std::size_t i) const { return m_points.position[i]; }
+  const Vector& normal(std::size_t i) const { return m_points.normal[i]; }
+  const Neighbor_search& search() const { return m_search; }
+
+  double spacing() const { return m_median_spacing; }
+  double area_spacing() const { return m_median_area_spacing; }
+  double area_spacing(std::size_t i) const { return m_area_spacing[i]; }
+  double spacing(std::size_t i) const { return m_area_spacing[i] * m_median_spacing / m_median_area_spacing; }
+
+  /*!
+    The surface near `q`, by a quadratic height field over the plane with normal `axis`, weighted by a Gaussian on the
+    neighbours of agreeing normal; values at the line through `q` along `axis`.
+    \return whether the neighbours suffice; fewer than 6 give a plane, none fails.
+  */
+  bool quadratic_fit(const Vector& q, const Vector& axis, double radius, Surface_element& result,
+                     std::vector<std::size_t>& buffer) const
+  {
+    m_search.in_ball(q, radius, buffer);
+    Vector u = axis.unitOrthogonal(), v = axis.cross(u);
+    Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+    std::size_t count = 0;
+    double total = 0;
+    for(std::size_t i : buffer)
+    {
+      const double facing = m_points.normal[i].dot(axis);
+      if(facing < 0.3)
+        continue;
+      const Vector d = (m_points.position[i] - q) / radius;
+      const double x = d.dot(u), y = d.dot(v), z = d.dot(axis);
+      const double weight = std::exp(-3. * d.squaredNorm());
+      Eigen::Matrix<double, 6, 1> row;
+      row << 1, x, y, x * x, x * y, y * y;
+      normal_matrix.noalias() += weight * row * row.transpose();
+      right += weight * z * row;
+      total += weight;
+      ++count;
+    }
+    if(count == 0 || total <= 0)
+      return false;
+    const int terms = count >= 10 ? 6 : (count >= 5 ? 3 : 1);
+    Eigen::Matrix<double, 6, 1> c = Eigen::Matrix<double, 6, 1>::Zero();
+    Eigen::MatrixXd a = normal_matrix.topLeftCorner(terms, terms);
+    a.diagonal().array() += 1e-9 * total;
+    c.head(terms) = a.ldlt().solve(right.head(terms));
+    if(!c.allFinite() || std::abs(c[0]) > 1.)
+      return false;
+    result.position = q + radius * c[0] * axis;
+    result.normal = (axis - c[1] * u - c[2] * v).normalized();
+    return true;
+  }
+
+private:
+  void compute_spacing()
+  {
+    const std::size_t n = size();
+    m_area_spacing.assign(n, 0.);
+    std::vector<double> nearest(n, 0.);
+    std::vector<std::size_t> indices(n);
+    for(std::size_t i = 0; i < n; ++i)
+      indices[i] = i;
+    const std::size_t k = (std::min)(std::size_t(neighbors), n > 0 ? n - 1 : 0);
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    {
+      std::vector<Neighbor_search::Neighbor> found;
+      m_search.k_nearest(m_points.position[i], k + 1, found);
+      // The far side of a thin part is no neighbour on the surface; duplicates have no distance.
+      std::size_t same = 0;
+      double last = 0;
+      for(const Neighbor_search::Neighbor& f : found)
+      {
+        if(f.first == i || f.second == 0 || !is_same_side(m_points.normal[i], m_points.normal[f.first]))
+          continue;
+        ++same;
+        last = f.second;
+        if(same == 1)
+          nearest[i] = f.second;
+      }
+      if(same > 0)
+        m_area_spacing[i] = last * std::sqrt(pi() / (double(same) + 0.5));
+      return true;
+    });
+    m_median_spacing = median_of_positive(nearest);
+    m_median_area_spacing = median_of_positive(m_area_spacing);
+    // One round of averaging: a single odd neighbourhood must not decide.
+    std::vector<double> smoothed(n, m_median_area_spacing);
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    {
+      std::vector<Neighbor_search::Neighbor> found;
+      m_search.k_nearest(m_points.position[i], k + 1, found);
+      std::vector<double> values;
+      for(const Neighbor_search::Neighbor& f : found)
+        if(m_area_spacing[f.first] > 0 && is_same_side(m_points.normal[i], m_points.normal[f.first]))
+          values.push_back(m_area_spacing[f.first]);
+      if(!values.empty())
+      {
+        std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+        smoothed[i] = values[values.size() / 2];
+      }
+      return true;
+    });
+    m_area_spacing.swap(smoothed);
+  }
+
+  static double median_of_positive(const std::vector<double>& values)
+  {
+    std::vector<double> v;
+    for(double x : values)
+      if(x > 0)
+        v.push_back(x);
+    if(v.empty())
+      return 0;
+    std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
+    return v[v.size() / 2];
+  }
+
+  static double pi() { return 3.14159265358979323846; }
+
+  static const int neighbors = 12;
+
+  const Surface_points& m_points;
+  Neighbor_search m_search;
+  std::vector<double> m_area_spacing;
+  double m_median_spacing = 0;
+  double m_median_area_spacing = 0;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_SURFACE_MODEL_H
