@@ -16,10 +16,14 @@
 
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
+#include <CGAL/for_each.h>
+
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,9 +31,11 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  The ways to continue what is known around a hole smoothly into it, as linear operators from data at the centres (value
-  and gradient over the base of the patch) to heights at its samples. None is best everywhere, so the example places vote
-  (see `Forecast`).
+  Smooth continuations of what is known around a hole, from interpolating to strongly smoothing: as operators from data at
+  the centres (value and gradient over the base of the patch, 4 numbers a centre) to heights at its samples.
+
+  None is best everywhere: interpolation wins on clean smooth surfaces, and carries the slope of noise and relief far into
+  the hole elsewhere. So each predicts sectors of the surroundings from the others, and is weighted by what it reached.
 */
 template <typename ConcurrencyTag>
 class Base_family
@@ -38,14 +44,14 @@ class Base_family
 
   struct Member
   {
-    std::string name;
-    bool is_base = true;                 // the membrane only spreads differences
-    Polyharmonic_base polyharmonic;
-    bool is_own = true;                  // false: the base of the patch itself
-    double noise = 0;
+    double value_noise = 0, gradient_noise = 0;
+    Polyharmonic_base base;
     Eigen::MatrixXd basis;               // samples x coefficients
-    Eigen::MatrixXd center_basis;        // rim centres x coefficients, where the rim is not interpolated
+    Eigen::MatrixXd rim_basis;           // rim centres x coefficients
     Eigen::VectorXd offset;              // height of this base over that of the patch
+    Eigen::VectorXd missed;              // known surface over this base, at the rim
+    double error = 0;                    // of the prediction of sectors
+    double weight = 0;
   };
 
 public:
@@ -55,29 +61,63 @@ public:
       if(patch.centers()[i].distance < 1.6 * patch.spacing())
         m_rim.push_back(i);
     prepare_correction();
-    add("cubic", Polyharmonic_base::cubic, 0, 0);
-    add("cubic, smoothed", Polyharmonic_base::cubic, 0.003, 0.3);
-    add("quintic", Polyharmonic_base::quintic, 0, 0);
-    add_membrane();
+    prepare_membrane();
+    // variances of values and slopes, in units of the hole's radius
+    const double noise[][2] = {{0, 0}, {0.01, 10}, {0.1, 100}, {1, 300}};
+    m_members.resize(4);
+    std::vector<std::size_t> indices;
+    for(std::size_t m = 0; m < m_members.size(); ++m)
+    {
+      m_members[m].value_noise = noise[m][0];
+      m_members[m].gradient_noise = noise[m][1];
+      indices.push_back(m);
+    }
+    const std::vector<std::vector<std::size_t> > groups = sectors();
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t m) -> bool
+    {
+      prepare(m_members[m], groups);
+      return true;
+    });
+    weigh();
   }
 
-  std::size_t size() const { return m_members.size(); }
-  const std::string& name(std::size_t m) const { return m_members[m].name; }
-  bool is_base(std::size_t m) const { return m_members[m].is_base; }
-
-  /// Height of base `m` over the base of the patch, per sample.
-  const Eigen::VectorXd& offset(std::size_t m) const { return m_members[m].offset; }
-
-  /// Continues each column of `data` (4 numbers a centre) into the hole.
-  Eigen::MatrixXd spread(std::size_t m, const Eigen::MatrixXd& data) const
+  /// Heights of the smooth continuation, for the known surface displaced by each column of `data`: the weighted median of
+  /// the members, so that a single one cannot run away.
+  Eigen::MatrixXd smooth(const Eigen::MatrixXd& data) const
   {
-    const Member& member = m_members[m];
-    if(!member.is_base)
-      return m_membrane_basis * m_membrane.solve(values_at(m_rim, data));
-    const Eigen::MatrixXd coefficients = (member.is_own ? member.polyharmonic : m_patch.base()).solve(data);
-    Eigen::MatrixXd result = member.basis * coefficients;
-    if(member.noise > 0)
-      result += m_correction * (values_at(m_rim, data) - member.center_basis * coefficients);
+    std::vector<Eigen::MatrixXd> heights;
+    for(const Member& m : m_members)
+      heights.push_back(spread(m, data).colwise() + m.offset);
+    Eigen::MatrixXd result(heights[0].rows(), heights[0].cols());
+    std::vector<std::pair<double, double> > sorted(m_members.size());
+    for(Eigen::Index c = 0; c < result.cols(); ++c)
+      for(Eigen::Index r = 0; r < result.rows(); ++r)
+      {
+        for(std::size_t m = 0; m < m_members.size(); ++m)
+          sorted[m] = std::make_pair(heights[m](r, c), m_members[m].weight);
+        result(r, c) = weighted_median(sorted);
+      }
+    return result;
+  }
+
+  /// Continues the values of each column of `data` as a membrane; linear.
+  Eigen::MatrixXd membrane(const Eigen::MatrixXd& data) const
+  {
+    return m_membrane_basis * m_membrane.solve(values_at(m_rim, data));
+  }
+
+  /// Mean error of the prediction of sectors of the surroundings.
+  double sector_error() const { return m_sector_error; }
+
+  /// Root mean square of what a smoothed base misses at the rim, for the known surface displaced by each column of
+  /// `data`: how rough the surroundings are.
+  Eigen::VectorXd roughness(const Eigen::MatrixXd& data) const
+  {
+    const Member& m = m_members[2];
+    const Eigen::MatrixXd left = values_at(m_rim, data) - m.rim_basis * m.base.solve(data);
+    Eigen::VectorXd result(data.cols());
+    for(Eigen::Index k = 0; k < data.cols(); ++k)
+      result[k] = std::sqrt((m.missed + left.col(k)).squaredNorm() / double(m.missed.size()));
     return result;
   }
 
@@ -88,6 +128,33 @@ private:
     for(std::size_t i = 0; i < centers.size(); ++i)
       values.row(Eigen::Index(i)) = data.row(4 * Eigen::Index(centers[i]));
     return values;
+  }
+
+  static double weighted_median(std::vector<std::pair<double, double> >& values)
+  {
+    std::sort(values.begin(), values.end());
+    // linear between the members, so that the median is continuous from sample to sample
+    double below = 0;
+    for(std::size_t i = 0; i < values.size(); ++i)
+    {
+      const double middle = below + values[i].second / 2;
+      if(middle >= 0.5)
+      {
+        if(i == 0)
+          return values[0].first;
+        const double previous = below - values[i - 1].second / 2;
+        const double t = (0.5 - previous) / (middle - previous);
+        return values[i - 1].first + t * (values[i].first - values[i - 1].first);
+      }
+      below += values[i].second;
+    }
+    return values.back().first;
+  }
+
+  Eigen::MatrixXd spread(const Member& m, const Eigen::MatrixXd& data) const
+  {
+    const Eigen::MatrixXd coefficients = m.base.solve(data);
+    return m.basis * coefficients + m_correction * (values_at(m_rim, data) - m.rim_basis * coefficients);
   }
 
   // A smoothed base misses the rim; what it misses is made up within a few spacings.
@@ -108,72 +175,8 @@ private:
     m_correction = a.ldlt().solve(b.transpose()).transpose();
   }
 
-  void add(const std::string& name, Polyharmonic_base::Kernel kernel, double value_noise, double gradient_noise)
+  void prepare_membrane()
   {
-    Member member;
-    member.name = name;
-    member.noise = value_noise + gradient_noise;
-    std::vector<Vector> positions;
-    for(const Base_center& c : m_patch.centers())
-      positions.push_back(c.position);
-    member.is_own = kernel != Polyharmonic_base::cubic || member.noise > 0;
-    if(member.is_own)
-      member.polyharmonic = Polyharmonic_base(positions, kernel, m_patch.scale(), value_noise, gradient_noise);
-    const Polyharmonic_base& base = member.is_own ? member.polyharmonic : m_patch.base();
-    const Eigen::Index n = Eigen::Index(m_patch.samples().size());
-    Eigen::RowVectorXd row;
-    member.offset = Eigen::VectorXd::Zero(n);
-    const Eigen::VectorXd coefficients = base.solve(m_patch.normal_data()).col(0);
-    for(Eigen::Index s = 0; s < n; ++s)
-    {
-      const Base_sample& sample = m_patch.samples()[std::size_t(s)];
-      base.basis(sample.position, row);
-      if(s == 0)
-        member.basis.resize(n, row.size());
-      member.basis.row(s) = row;
-      if(member.is_own)
-        member.offset[s] = height(base, coefficients, sample.position, sample.normal);
-    }
-    if(member.noise > 0)
-    {
-      Eigen::VectorXd missed(Eigen::Index(m_rim.size()));
-      member.center_basis.resize(Eigen::Index(m_rim.size()), row.size());
-      for(std::size_t i = 0; i < m_rim.size(); ++i)
-      {
-        const Base_center& c = m_patch.centers()[m_rim[i]];
-        base.basis(c.position, row);
-        member.center_basis.row(Eigen::Index(i)) = row;
-        missed[Eigen::Index(i)] = -height(base, coefficients, c.position, c.normal);
-      }
-      member.offset += m_correction * missed;
-    }
-    m_members.push_back(member);
-  }
-
-  // Height of the zero set over `x` along `normal`, by Newton's method on the line.
-  double height(const Polyharmonic_base& base, const Eigen::VectorXd& coefficients, const Vector& x,
-                const Vector& normal) const
-  {
-    double t = 0;
-    for(int step = 0; step < 4; ++step)
-    {
-      Vector gradient;
-      const double f = base.value(x + t * normal, coefficients, gradient);
-      const double slope = gradient.dot(normal);
-      if(!(slope > 0.2))
-        break;
-      const double limit = 0.3 * m_patch.scale();
-      t = (std::max)(-limit, (std::min)(limit, t - f / slope));
-    }
-    return t;
-  }
-
-  void add_membrane()
-  {
-    Member member;
-    member.name = "membrane";
-    member.is_base = false;
-    member.offset = Eigen::VectorXd::Zero(Eigen::Index(m_patch.samples().size()));
     std::vector<Vector> positions;
     for(std::size_t i : m_rim)
       positions.push_back(m_patch.centers()[i].position);
@@ -185,7 +188,114 @@ private:
       m_membrane.basis(m_patch.samples()[s].position, row);
       m_membrane_basis.row(Eigen::Index(s)) = row;
     }
-    m_members.push_back(member);
+  }
+
+  void prepare(Member& m, const std::vector<std::vector<std::size_t> >& groups) const
+  {
+    std::vector<Vector> positions;
+    for(const Base_center& c : m_patch.centers())
+      positions.push_back(c.position);
+    m.base = Polyharmonic_base(positions, Polyharmonic_base::cubic, m_patch.scale(), m.value_noise, m.gradient_noise);
+    const Eigen::MatrixXd data = m_patch.normal_data();
+    const Eigen::VectorXd coefficients = m.base.solve(data).col(0);
+    const Eigen::Index n = Eigen::Index(m_patch.samples().size()), r = Eigen::Index(m_rim.size());
+    Eigen::RowVectorXd row;
+    m.basis.resize(n, coefficients.size());
+    m.offset.resize(n);
+    for(Eigen::Index s = 0; s < n; ++s)
+    {
+      const Base_sample& sample = m_patch.samples()[std::size_t(s)];
+      m.base.basis(sample.position, row);
+      m.basis.row(s) = row;
+      m.offset[s] = height(m.base, coefficients, sample.position, sample.normal);
+    }
+    m.rim_basis.resize(r, coefficients.size());
+    m.missed.resize(r);
+    for(Eigen::Index i = 0; i < r; ++i)
+    {
+      const Base_center& c = m_patch.centers()[m_rim[std::size_t(i)]];
+      m.base.basis(c.position, row);
+      m.rim_basis.row(i) = row;
+      m.missed[i] = -height(m.base, coefficients, c.position, c.normal);
+    }
+    m.offset += m_correction * m.missed;
+    m.error = prediction_error(m.base, groups, data.col(0));
+  }
+
+  // Height of the zero set over `x` along `normal`, by Newton's method on the line.
+  double height(const Polyharmonic_base& base, const Eigen::VectorXd& coefficients, const Vector& x,
+                const Vector& normal) const
+  {
+    const double limit = 0.3 * m_patch.scale();
+    double t = 0;
+    for(int step = 0; step < 4; ++step)
+    {
+      Vector gradient;
+      const double f = base.value(x + t * normal, coefficients, gradient);
+      const double slope = gradient.dot(normal);
+      if(!(slope > 0.2))
+        break;
+      t = (std::max)(-limit, (std::min)(limit, t - f / slope));
+    }
+    return t;
+  }
+
+  // Six sectors of the surroundings around the axis of the hole.
+  std::vector<std::vector<std::size_t> > sectors() const
+  {
+    Vector middle = Vector::Zero(), axis = Vector::Zero();
+    for(const Base_sample& s : m_patch.samples())
+    {
+      middle += s.position;
+      axis += s.normal;
+    }
+    middle /= double(m_patch.samples().size());
+    axis = axis.norm() > 0 ? axis.normalized() : Vector(Vector::UnitZ());
+    const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
+    std::vector<std::vector<std::size_t> > groups(6);
+    for(std::size_t i = 0; i < m_patch.centers().size(); ++i)
+    {
+      const Vector d = m_patch.centers()[i].position - middle;
+      const double angle = std::atan2(d.dot(v), d.dot(u)) / (2 * 3.14159265358979323846) + 0.5;
+      groups[(std::min)(std::size_t(5), std::size_t(6 * angle))].push_back(i);
+    }
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                                [](const std::vector<std::size_t>& g) { return g.empty(); }), groups.end());
+    return groups;
+  }
+
+  double prediction_error(const Polyharmonic_base& base, const std::vector<std::vector<std::size_t> >& groups,
+                          const Eigen::VectorXd& data) const
+  {
+    const std::vector<Eigen::VectorXd> residuals = base.left_out(groups, data);
+    const double limit = 0.3 * m_patch.scale();
+    double sum = 0;
+    std::size_t count = 0;
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      for(std::size_t i = 0; i < groups[g].size(); ++i)
+        if(m_patch.centers()[groups[g][i]].distance < 0.35 * m_patch.scale())
+        {
+          const double d = std::abs(residuals[g][4 * Eigen::Index(i)]);
+          sum += d < limit ? d : limit;
+          ++count;
+        }
+    return count > 0 ? sum / double(count) : limit;
+  }
+
+  void weigh()
+  {
+    double total = 0;
+    for(Member& m : m_members)
+    {
+      m.weight = std::pow(m.error + 1e-3 * m_patch.spacing(), -4.);
+      total += m.weight;
+    }
+    m_sector_error = 0;
+    for(Member& m : m_members)
+    {
+      m.weight /= total;
+      m_sector_error += m.weight * m.error;
+    }
   }
 
   const Patch& m_patch;
@@ -194,6 +304,7 @@ private:
   Membrane m_membrane;
   Eigen::MatrixXd m_membrane_basis;
   std::vector<Member> m_members;
+  double m_sector_error = 0;
 };
 
 } // namespace internal

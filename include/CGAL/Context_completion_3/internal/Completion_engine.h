@@ -14,9 +14,11 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Completion_loop.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
-#include <CGAL/Context_completion_3/internal/Hole_completion.h>
+#include <CGAL/Context_completion_3/internal/Example_policy.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Paper_policy.h>
 
 #include <algorithm>
 #include <functional>
@@ -52,15 +54,8 @@ public:
   {
     if(m_is_detected)
       return true;
-    std::vector<Detected_hole<ConcurrencyTag> > found;
-    if(!Hole_detection<ConcurrencyTag>(*m_model).run(found, callback))
+    if(m_parameters.paper ? !detect_by_paper(callback) : !detect_by_rims(callback))
       return false;
-    for(const Detected_hole<ConcurrencyTag>& hole : found)
-    {
-      m_patches.push_back(hole.patch);
-      m_holes.push_back(describe(hole));
-    }
-    m_outcomes.resize(m_holes.size());
     m_is_detected = true;
     return true;
   }
@@ -72,31 +67,54 @@ public:
   {
     if(!detect(Callback()))
       return false;
+    if(m_parameters.paper)
+    {
+      m_paper->choose(chosen);
+      const bool is_complete = Completion_loop<Paper_policy>(*m_paper, callback).run();
+      m_added = m_paper->added();
+      m_outcomes = m_paper->outcomes();
+      return is_complete;
+    }
     prepare_sources();
     Search_settings search;
     search.number_of_turns = m_parameters.number_of_turns;
     search.mirror = m_parameters.mirror;
     search.number_of_places = m_parameters.number_of_candidates;
     const Hole_completion<ConcurrencyTag> completion(*m_model, m_sources, search, m_parameters.keep_texture);
-    for(std::size_t i = 0; i < chosen.size(); ++i)
-    {
-      if(callback && !callback(double(i) / double(chosen.size())))
-        return false;
-      Hole_filling filling = completion.fill(*m_patches[chosen[i]]);
-      for(Added_point& p : filling.points)
-      {
-        p.hole = chosen[i];
-        m_added.push_back(p);
-      }
-      m_outcomes[chosen[i]] = filling.outcome;
-    }
-    return !callback || callback(1.);
+    Example_policy<ConcurrencyTag> policy(*m_map, completion, m_patches, chosen, m_added, m_outcomes);
+    return Completion_loop<Example_policy<ConcurrencyTag> >(policy, callback).run();
   }
 
   const std::vector<Added_point>& added() const { return m_added; }
   const std::vector<Hole_outcome>& outcomes() const { return m_outcomes; }
 
 private:
+  bool detect_by_rims(const Callback& callback)
+  {
+    std::vector<Detected_hole<ConcurrencyTag> > found;
+    if(!Hole_detection<ConcurrencyTag>(*m_model).run(found, callback))
+      return false;
+    m_map = std::make_unique<Hole_map<ConcurrencyTag> >(m_points, spacing(), m_parameters.maximum_depth,
+                                                        m_parameters.minimum_cell_points);
+    for(const Detected_hole<ConcurrencyTag>& hole : found)
+    {
+      m_patches.push_back(hole.patch);
+      m_holes.push_back(describe(hole));
+    }
+    m_outcomes.resize(m_holes.size());
+    return true;
+  }
+
+  bool detect_by_paper(const Callback& callback)
+  {
+    if(callback && !callback(0.))
+      return false;
+    m_paper = std::make_unique<Paper_policy>(m_points, m_parameters, spacing());
+    m_holes = m_paper->holes();
+    m_outcomes = m_paper->outcomes();
+    return !callback || callback(1.);
+  }
+
   Hole_data describe(const Detected_hole<ConcurrencyTag>& hole) const
   {
     Hole_data data;
@@ -112,6 +130,7 @@ private:
     }
     data.center /= double(patch.rim().size());
     data.diameter = patch.diameter();
+    data.cells = m_map->invalid_cells(patch);
     data.spacing = patch.spacing();
     const double smallest = m_parameters.minimum_hole_diameter > 0 ? m_parameters.minimum_hole_diameter
                                                                    : 4.5 * patch.spacing();
@@ -172,6 +191,8 @@ private:
   const Surface_points& m_points;
   Engine_parameters m_parameters;
   std::shared_ptr<const Model> m_model;
+  std::unique_ptr<Hole_map<ConcurrencyTag> > m_map;
+  std::unique_ptr<Paper_policy> m_paper;                // the paper's policy keeps its own model
   std::vector<Source> m_sources;
   bool m_is_detected = false;
   std::vector<std::shared_ptr<const Patch> > m_patches;

@@ -75,7 +75,10 @@ public:
       }
       m_policy.end_level(level);
       if(m_policy.is_last_level(level))
-        return report(level, 1, 1);
+      {
+        report(level, 1, 1);  // nothing is left to be cancelled
+        return true;
+      }
     }
   }
 

@@ -21,8 +21,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <iostream>
+#include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -37,13 +37,25 @@ struct Hole_filling
   Hole_outcome outcome;
 };
 
-/// Fills one hole by the default policy: search, forecast, transfer.
+/// What was found for a hole, and which plan the forecasts chose.
+template <typename ConcurrencyTag>
+struct Hole_match
+{
+  std::shared_ptr<const Relief_sampler<ConcurrencyTag> > sampler;
+  std::vector<Place> places;               ///< source places, best score first
+  std::vector<Place_relief> reliefs;       ///< parallel to places
+  std::shared_ptr<const Copy_forecast<ConcurrencyTag> > forecast;
+  Plan_forecast smooth, chosen;
+};
+
+/// Fills a hole by the default policy: search and forecast (`find()`), then transfer (`transfer()`).
 template <typename ConcurrencyTag>
 class Hole_completion
 {
   typedef Smooth_patch<ConcurrencyTag> Patch;
   typedef Surface_model<ConcurrencyTag> Model;
   typedef Example_source<ConcurrencyTag> Source;
+  typedef Hole_match<ConcurrencyTag> Match;
 
 public:
   Hole_completion(const Model& known, const std::vector<Source>& sources, const Search_settings& search,
@@ -51,81 +63,80 @@ public:
     : m_known(known), m_sources(sources), m_search(search), m_keep_texture(keep_texture)
   {}
 
-  Hole_filling fill(const Patch& patch) const
+  /// Places, their reliefs, the forecasts of all plans, and the choice between them. The match refers to `patch`.
+  Match find(const Patch& patch) const
   {
-    const Relief_sampler<ConcurrencyTag> sampler(patch, m_sources);
+    Match match;
+    match.sampler = std::make_shared<Relief_sampler<ConcurrencyTag> >(patch, m_sources);
     const Base_family<ConcurrencyTag> family(patch);
-    const Match_target target = match_target(patch);
-    const std::vector<Place> places = Place_search<ConcurrencyTag>(m_sources, m_search).search(target);
-    std::vector<Place_relief> reliefs(places.size());
+    const Match_target target = match_target(m_known, patch);
+    match.places = Place_search<ConcurrencyTag>(m_sources, m_search).search(target);
+    match.reliefs.resize(match.places.size());
     std::vector<std::size_t> indices;
-    for(std::size_t i = 0; i < places.size(); ++i)
+    for(std::size_t i = 0; i < match.places.size(); ++i)
       indices.push_back(i);
     CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
     {
-      reliefs[i] = sampler.relief(places[i]);
+      match.reliefs[i] = match.sampler->relief(match.places[i]);
       return true;
     });
-    const Copy_forecast<ConcurrencyTag> forecast(patch, family, places, reliefs, target.radius);
-    const std::vector<Plan_forecast> forecasts = forecast.forecasts();
-    // DEBUG-BEGIN
-    if(getenv("CC_DEBUG"))
-    {
-      const double h = patch.spacing();
-      std::cerr << "hole r/h " << target.radius / h << " places " << places.size() << " probes " << target.overlap.size() << "\n";
-      for(std::size_t i = 0; i < places.size() && i < 12; ++i)
-        std::cerr << "   place score " << places[i].score << " match " << forecast.match(i) << " cov " << reliefs[i].coverage
-                  << " det " << places[i].motion.linear.determinant() << " at " << places[i].origin.transpose() << "\n";
-      for(std::size_t i = 0; i < forecasts.size(); ++i)
-        if(i < 6 || forecasts[i].plan.places == 0)
-        std::cerr << "   plan " << forecast.describe(forecasts[i].plan) << " error/h " << forecasts[i].error / h << " upper/h " << forecasts[i].upper / h << "\n";
-    }
+    const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
+                                                                          target.radius);
+    match.forecast = forecast;
+    const std::vector<Plan_forecast> forecasts = forecast->forecasts();
+    match.smooth = match.chosen = forecasts.front();
+    for(const Plan_forecast& f : forecasts)
+      if(f.error < match.chosen.error * (match.chosen.plan.places == 0 ? copy_margin() : 1.))
+        match.chosen = f;
+    // among nearly equal forecasts a whole copy is crisper than a part of one
+    if(match.chosen.plan.share < 1)
+      for(const Plan_forecast& f : forecasts)
+        if(f.plan.places == match.chosen.plan.places && f.plan.share == 1 && f.error < whole_margin() * match.chosen.error)
+        {
+          match.chosen = f;
+          break;
+        }
+    return match;
+  }
+
+  /// The points of the chosen plan.
+  Hole_filling transfer(const Patch& patch, const Match& match) const
+  {
     Hole_filling result;
-    Filling_plan plan;
-    result.outcome.expected_error = patch.spacing();
-    if(!forecasts.empty())
-    {
-      plan = forecasts.front().plan;
-      result.outcome.expected_error = forecasts.front().upper;
-    }
-    const Eigen::Index n = Eigen::Index(patch.samples().size());
-    Eigen::VectorXd heights = Eigen::VectorXd::Zero(n), displacement = Eigen::VectorXd::Zero(n);
+    const Plan_forecast& chosen = match.chosen;
+    const Relief_sampler<ConcurrencyTag>& sampler = *match.sampler;
+    const Eigen::VectorXd heights = match.forecast->heights(chosen.plan);
+    Eigen::VectorXd displacement = Eigen::VectorXd::Zero(heights.size());
     const Place* place = nullptr;
-    if(!places.empty())
+    if(!match.places.empty())
     {
-      heights = forecast.heights(plan);
-      result.outcome.match = forecast.match(forecast.ranking().front());
-    }
-    if(plan.places > 0)
-    {
-      const std::size_t best = forecast.ranking().front();
-      place = &places[best];
-      displacement = heights - reliefs[best].height;
-      if(plan.places == 1 && plan.share == 1)
-        displacement = forecast.warp(plan.base, best);
+      const std::size_t best = match.forecast->ranking().front();
+      const Place_relief& relief = match.reliefs[best];
+      result.outcome.match = match.forecast->match(best);
+      const Eigen::VectorXd difference = heights - relief.height, coarse = low_pass(sampler, difference);
+      const double amplitude = root_mean_square(difference - coarse);
+      const bool is_textured = m_keep_texture && amplitude > 0.06 * patch.spacing() && amplitude < 0.75 * chosen.error;
+      if(chosen.plan.places > 0 || (is_textured && relief.coverage > 0.9))
+      {
+        place = &match.places[best];
+        const bool is_whole = chosen.plan.places == 1 && chosen.plan.share == 1;
+        // beyond the plan, the place has its texture or, if its amplitude is negligible, its crispness
+        displacement = is_whole ? match.forecast->fitting(best)
+                                : is_textured || amplitude < 0.25 * chosen.error ? coarse : difference;
+      }
     }
     const Patch_transfer<ConcurrencyTag> transfer(m_known, patch, sampler, m_sources);
     result.points = transfer.points(place, displacement, heights);
-    result.outcome.filling = place == nullptr ? Filling::smooth : Filling::copied;
-    result.outcome.reason = forecasts.empty() ? std::string("no source place to judge by") : forecast.describe(plan);
+    result.outcome.filling = chosen.plan.places > 0 ? Filling::copied : Filling::smooth;
+    result.outcome.expected_error = chosen.upper;
+    result.outcome.reason = reason(chosen, match.smooth, patch.spacing(), match.places.size());
     result.outcome.added = result.points.size();
     for(Added_point& p : result.points)
       p.confidence = 1 / (1 + result.outcome.expected_error / patch.spacing());
     return result;
   }
 
-private:
-  // Probes at known points within 0.6 radii of the rim, and at the base inside.
-  static std::vector<Match_probe> at_most(const std::vector<Match_probe>& probes, std::size_t number)
-  {
-    std::vector<Match_probe> result;
-    const std::size_t n = (std::min)(number, probes.size());
-    for(std::size_t i = 0; i < n; ++i)
-      result.push_back(probes[i * probes.size() / n]);
-    return result;
-  }
-
-  Match_target match_target(const Patch& patch) const
+  static Match_target match_target(const Model& known, const Patch& patch)
   {
     Match_target target;
     target.spacing = patch.spacing();
@@ -141,15 +152,15 @@ private:
     target.frame.normal = patch.samples()[middle].normal;
     target.frame.axis = target.frame.normal.unitOrthogonal();
     for(std::size_t i : patch.rim())
-      target.radius = (std::max)(target.radius, (m_known.position(i) - mean).norm());
+      target.radius = (std::max)(target.radius, (known.position(i) - mean).norm());
     const double width = (std::max)(4 * patch.spacing(), 0.6 * target.radius);
     std::vector<Match_probe> overlap, base;
     for(const Band_point& b : patch.band())
       if(b.distance <= width)
       {
         Match_probe probe;
-        probe.position = m_known.position(b.index);
-        probe.normal = m_known.normal(b.index);
+        probe.position = known.position(b.index);
+        probe.normal = known.normal(b.index);
         probe.weight = std::exp(-b.distance / (0.5 * width));
         overlap.push_back(probe);
       }
@@ -163,6 +174,58 @@ private:
     target.overlap = at_most(overlap, 400);
     target.base = at_most(base, 100);
     return target;
+  }
+
+private:
+  // A copy must promise to be better by this factor, because a smooth patch is never absurd.
+  static double copy_margin() { return 0.8; }
+  static double whole_margin() { return 1.1; }
+
+  // What is finer than a few spacings may stay with the carried points as their texture; the plan decides the rest. It is
+  // worth its price in distance where there is some, and where it is small against the error to be expected anyway.
+  static Eigen::VectorXd low_pass(const Relief_sampler<ConcurrencyTag>& sampler, Eigen::VectorXd field)
+  {
+    for(int round = 0; round < 4; ++round)
+    {
+      Eigen::VectorXd next(field.size());
+      for(Eigen::Index s = 0; s < field.size(); ++s)
+      {
+        double sum = 0;
+        for(std::size_t t : sampler.neighbors(std::size_t(s)))
+          sum += field[Eigen::Index(t)];
+        next[s] = sum / double(sampler.neighbors(std::size_t(s)).size());
+      }
+      field.swap(next);
+    }
+    return field;
+  }
+
+  static double root_mean_square(const Eigen::VectorXd& v) { return std::sqrt(v.squaredNorm() / double(v.size())); }
+
+  static std::string reason(const Plan_forecast& chosen, const Plan_forecast& smooth, double spacing,
+                            std::size_t places)
+  {
+    std::ostringstream text;
+    text.precision(2);
+    if(places == 0)
+      text << "smooth: no source place matches the surroundings";
+    else if(chosen.plan.places == 0)
+      text << "smooth: forecast " << chosen.error / spacing << " spacings, no copy promises clearly less";
+    else
+      text << "copied from " << chosen.plan.places << (chosen.plan.places == 1 ? " place" : " places") << ", share "
+           << chosen.plan.share << ": forecast " << chosen.error / spacing << " spacings, smooth "
+           << smooth.error / spacing;
+    return text.str();
+  }
+
+  // Probes at known points within 0.6 radii of the rim, and at the base inside.
+  static std::vector<Match_probe> at_most(const std::vector<Match_probe>& probes, std::size_t number)
+  {
+    std::vector<Match_probe> result;
+    const std::size_t n = (std::min)(number, probes.size());
+    for(std::size_t i = 0; i < n; ++i)
+      result.push_back(probes[i * probes.size() / n]);
+    return result;
   }
 
   const Model& m_known;

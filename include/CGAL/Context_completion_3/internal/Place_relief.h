@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -173,6 +174,26 @@ private:
     }
   }
 
+  // Source points over the hole. The fits at the rim must do without them, as those of the hole itself do: a rim that
+  // is seen from both sides would be continued too well.
+  std::unordered_set<std::size_t> points_inside(const Place& place) const
+  {
+    const Model& model = *m_sources[place.source].model;
+    std::vector<std::size_t> points;
+    carried_points(place, points);
+    std::unordered_set<std::size_t> inside;
+    for(std::size_t i : points)
+    {
+      const Vector x = place.motion(model.position(i));
+      const Base_sample& b = m_patch.samples()[m_search->nearest(x).first];
+      const Vector d = x - b.position;
+      const double up = d.dot(b.normal);
+      if(std::abs(up) < height_limit() && (d - up * b.normal).norm() < 0.6 * m_patch.spacing())
+        inside.insert(i);
+    }
+    return inside;
+  }
+
   void sample_rim(const Place& place, Place_relief& result) const
   {
     const Model& model = *m_sources[place.source].model;
@@ -180,13 +201,15 @@ private:
     const Eigen::Index n = Eigen::Index(centers.size());
     result.rim = Eigen::VectorXd::Zero(4 * n);
     const double limit = 0.5 * m_reach;
+    const std::unordered_set<std::size_t> inside = points_inside(place);
     std::vector<std::size_t> buffer;
     for(Eigen::Index i = 0; i < n; ++i)
     {
       const Base_center& c = centers[std::size_t(i)];
       Surface_element fit;
       const Vector axis = place.motion.inverse_normal(c.normal);
-      if(!model.quadratic_fit(place.motion.inverse(c.position), axis, 3 * m_patch.area_spacing(), fit, buffer))
+      if(!model.quadratic_fit(place.motion.inverse(c.position), axis, 3 * m_patch.area_spacing(), fit, buffer,
+                              inside))
         continue;
       const double facing = fit.normal.dot(axis);
       const double height = axis.dot(fit.position - place.motion.inverse(c.position));

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -67,10 +68,12 @@ public:
   /*!
     The surface near `q`, by a quadratic height field over the plane with normal `axis`, weighted by a Gaussian on the
     neighbours of agreeing normal; values at the line through `q` along `axis`.
-    \return whether the neighbours suffice; fewer than 6 give a plane, none fails.
+    \param left_out flags of points that must not be used, empty: all are used
+    \return whether the neighbours suffice; fewer than 10 give a plane, none fails.
   */
   bool quadratic_fit(const Vector& q, const Vector& axis, double radius, Surface_element& result,
-                     std::vector<std::size_t>& buffer) const
+                     std::vector<std::size_t>& buffer,
+                     const std::unordered_set<std::size_t>& left_out = std::unordered_set<std::size_t>()) const
   {
     m_search.in_ball(q, radius, buffer);
     Vector u = axis.unitOrthogonal(), v = axis.cross(u);
@@ -81,7 +84,7 @@ public:
     for(std::size_t i : buffer)
     {
       const double facing = m_points.normal[i].dot(axis);
-      if(facing < 0.3)
+      if(facing < 0.3 || left_out.count(i) > 0)
         continue;
       const Vector d = (m_points.position[i] - q) / radius;
       const double x = d.dot(u), y = d.dot(v), z = d.dot(axis);

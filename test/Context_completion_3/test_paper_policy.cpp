@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#include <CGAL/Context_completion_3/internal/Completion_loop.h>
+#include <CGAL/Context_completion_3/internal/Paper_policy.h>
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace CGAL::Context_completions_3::internal;
+
+namespace {
+
+typedef Completion_loop<Paper_policy> Loop;
+
+// a tilted plane of 80 x 80 points, less a square
+Surface_points plane_with_hole(double lower, double upper)
+{
+  Surface_points points;
+  for(int i = 0; i < 80; ++i)
+    for(int j = 0; j < 80; ++j)
+    {
+      const double x = (i + 0.5) / 80, y = (j + 0.5) / 80;
+      if(!(x > lower && x < upper && y > lower && y < upper))
+        points.push_back(Vector(x, y, 0.3 * x), Vector(-0.3, 0, 1).normalized());
+    }
+  return points;
+}
+
+std::vector<std::size_t> all_holes(const Paper_policy& policy)
+{
+  std::vector<std::size_t> all(policy.holes().size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  return all;
+}
+
+} // namespace
+
+TEST(Hole_joining, cells_are_joined_over_corners)
+{
+  std::vector<Cell> cells(4);
+  for(Cell& cell : cells)
+    cell.level = 4;
+  cells[1].coordinates = {{ 1, 1, 1 }};
+  cells[2].coordinates = {{ 3, 1, 1 }};
+  cells[3].coordinates = {{ 4, 2, 1 }};
+  const std::vector<std::vector<Cell> > groups = joined_cells(cells);
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0], std::vector<Cell>(cells.begin(), cells.begin() + 2));
+  EXPECT_EQ(groups[1], std::vector<Cell>(cells.begin() + 2, cells.end()));
+  EXPECT_TRUE(joined_cells(std::vector<Cell>()).empty());
+}
+
+TEST(Paper_policy, hole_in_a_plane_is_detected_and_closed)
+{
+  const double h = 1. / 80, lower = 0.375, upper = 0.625;
+  const Surface_points points = plane_with_hole(lower, upper);
+  Paper_policy policy(points, Engine_parameters(), h);
+  ASSERT_GE(policy.holes().size(), 1u);
+  const auto covers = [&](const Hole_data& hole)
+  {
+    for(const CGAL::Bbox_3& box : hole.cells)
+      if(box.xmin() <= 0.5 && box.xmax() >= 0.5 && box.ymin() <= 0.5 && box.ymax() >= 0.5)
+        return true;
+    return false;
+  };
+  EXPECT_EQ(std::count_if(policy.holes().begin(), policy.holes().end(), covers), 1);
+
+  policy.choose(all_holes(policy));
+  double last = 0;
+  const Loop::Callback callback = [&](double x) { EXPECT_GE(x, last); last = x; return true; };
+  EXPECT_TRUE(Loop(policy, callback).run());
+  ASSERT_FALSE(policy.added().empty());
+
+  // covered, in the plane, with its normal and a source
+  std::vector<Vector> all = points.position;
+  for(const Added_point& point : policy.added())
+  {
+    all.push_back(point.position);
+    EXPECT_LT(std::abs(point.position.z() - 0.3 * point.position.x()), 0.5 * h);
+    EXPECT_GT(point.normal.dot(points.normal[0]), 0.99);
+    EXPECT_NEAR(point.normal.norm(), 1, 1e-9);
+    EXPECT_LT(point.source, points.size());
+    EXPECT_LT(point.hole, policy.holes().size());
+    EXPECT_EQ(point.source_set, 0u);
+  }
+  const Neighbor_search search(all);
+  std::size_t covered = 0, asked = 0;
+  for(double x = lower + h / 2; x < upper; x += h)
+    for(double y = lower + h / 2; y < upper; y += h, ++asked)
+      covered += search.nearest(Vector(x, y, 0.3 * x)).second < 2 * h ? 1 : 0;
+  EXPECT_GT(double(covered), 0.95 * double(asked));
+  std::size_t counted = 0;
+  for(const Hole_outcome& outcome : policy.outcomes())
+    counted += outcome.added;
+  EXPECT_EQ(counted, policy.added().size());
+}
+
+TEST(Paper_policy, is_deterministic)
+{
+  const Surface_points points = plane_with_hole(0.4, 0.6);
+  std::vector<Vector> results[2];
+  for(std::vector<Vector>& result : results)
+  {
+    Paper_policy policy(points, Engine_parameters(), 1. / 80);
+    policy.choose(all_holes(policy));
+    Loop(policy, Loop::Callback()).run();
+    for(const Added_point& point : policy.added())
+      result.push_back(point.position);
+  }
+  EXPECT_FALSE(results[0].empty());
+  EXPECT_TRUE(results[0] == results[1]);
+}
+
+TEST(Paper_policy, what_is_not_chosen_is_not_filled)
+{
+  const Surface_points points = plane_with_hole(0.375, 0.625);
+  Paper_policy policy(points, Engine_parameters(), 1. / 80);
+  policy.choose(std::vector<std::size_t>());
+  EXPECT_TRUE(Loop(policy, Loop::Callback()).run());
+  EXPECT_TRUE(policy.added().empty());
+  Engine_parameters nothing_to_copy;
+  nothing_to_copy.is_example.assign(points.size(), 0);
+  Paper_policy poor(points, nothing_to_copy, 1. / 80);
+  poor.choose(all_holes(poor));
+  EXPECT_TRUE(Loop(poor, Loop::Callback()).run());
+  EXPECT_TRUE(poor.added().empty());
+  for(const Hole_outcome& outcome : poor.outcomes())
+  {
+    EXPECT_EQ(outcome.filling, Filling::none);
+    EXPECT_FALSE(outcome.reason.empty());
+  }
+}
+
+TEST(Paper_policy, a_callback_cancels)
+{
+  Paper_policy policy(plane_with_hole(0.375, 0.625), Engine_parameters(), 1. / 80);
+  policy.choose(all_holes(policy));
+  EXPECT_FALSE(Loop(policy, [](double) { return false; }).run());
+}
+
+TEST(Paper_policy, example_sets_are_copied_from)
+{
+  Engine_parameters parameters;
+  const Surface_points points = plane_with_hole(0.375, 0.625);
+  parameters.is_example.assign(points.size(), 0); // the set itself is barred
+  parameters.examples.push_back(plane_with_hole(0.5, 0.5));
+  Paper_policy policy(points, parameters, 1. / 80);
+  policy.choose(all_holes(policy));
+  EXPECT_TRUE(Loop(policy, Loop::Callback()).run());
+  ASSERT_FALSE(policy.added().empty());
+  for(const Added_point& point : policy.added())
+  {
+    EXPECT_EQ(point.source_set, 1u);
+    EXPECT_LT(point.source, parameters.examples[0].size());
+  }
+}
