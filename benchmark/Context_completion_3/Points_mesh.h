@@ -15,7 +15,9 @@
 #include "Model_surface.h"
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
+#include <CGAL/Random.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <fstream>
@@ -30,11 +32,16 @@ namespace Completion_benchmark {
 /// Triangles between the given points by the advancing front, turned to the side of the points' normals.
 inline std::vector<Benchmark_surface::Face> triangles_of(const Surface_points& points)
 {
+  CGAL::get_default_random() = CGAL::Random(0);      // what was triangulated before must not matter
   std::vector<Kernel::Point_3> positions;
   for(const Vector& p : points.position)
     positions.emplace_back(p.x(), p.y(), p.z());
   std::vector<Benchmark_surface::Face> faces;
   CGAL::advancing_front_surface_reconstruction(positions.begin(), positions.end(), std::back_inserter(faces));
+  // the front advances in an order that depends on addresses
+  for(Benchmark_surface::Face& f : faces)
+    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+  std::sort(faces.begin(), faces.end());
   // each connected part has one orientation of its own; single faces would tear it, so the majority decides
   std::vector<std::size_t> part(points.size());
   for(std::size_t i = 0; i < part.size(); ++i)

@@ -15,6 +15,7 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/poisson_surface_reconstruction.h>
@@ -56,6 +57,7 @@ Completion_result surface_result(const Mesh& mesh)
 
 Completion_result reconstruct(const Benchmark_case& c)
 {
+  CGAL::get_default_random() = CGAL::Random(0);      // the order of the cases must not matter
   typedef std::pair<Kernel::Point_3, Kernel::Vector_3> Point_with_normal;
   typedef CGAL::First_of_pair_property_map<Point_with_normal> Point_map;
   typedef CGAL::Second_of_pair_property_map<Point_with_normal> Normal_map;

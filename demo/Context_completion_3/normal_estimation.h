@@ -38,8 +38,9 @@ inline std::size_t estimate_normals(Point_file& file, std::size_t k, const std::
     throw Failure(file.name + ": normals from " + std::to_string(k) + " neighbours need more than "
                   + std::to_string(k) + " points; there are " + std::to_string(points.size()));
   points.add_normal_map();
+  // by reference: CGAL 5.5 keeps a reference to its own copy of the function longer than the copy lives
   CGAL::jet_estimate_normals<CGAL::Parallel_if_available_tag>(
-    points, static_cast<unsigned int>(k), points.parameters().callback(callback));
+    points, static_cast<unsigned int>(k), points.parameters().callback(std::cref(callback)));
 
   // The orientation sorts what it is given and reaches one connected part of it, so the rest is given to it again.
   std::vector<Point_set::Index> rest(points.begin(), points.end());

@@ -42,8 +42,6 @@ struct Ply_header
   std::uint64_t number_of_vertices = 0;
   std::vector<Property> vertex_properties;
 
-  bool has_vertex_property(const std::string& name) const { return find(name) != nullptr; }
-
   const Property* find(const std::string& name) const
   {
     for(const Property& property : vertex_properties)

@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
   Point_set points;
   const Point center = scan.point(*(scan.begin() + std::ptrdiff_t(scan.size() / 2)));
   for(Point_set::Index i : scan)
-    if(argc > 1 || CGAL::squared_distance(scan.point(i), center) > 0.03 * 0.03)
+    if(argc > 1 || CGAL::squared_distance(scan.point(i), center) > 0.08 * 0.08)
       points.insert(scan.point(i));
   points.add_normal_map();
 
@@ -66,6 +66,6 @@ int main(int argc, char* argv[])
     std::cerr << "Error: reconstructed.off cannot be written." << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << "The mesh has " << num_vertices(mesh) << " vertices." << std::endl;
+  std::cout << "The mesh has " << mesh.number_of_vertices() << " vertices." << std::endl;
   return EXIT_SUCCESS;
 }

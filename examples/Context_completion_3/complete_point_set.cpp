@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   if(argc < 2)
-    cut_hole(points, Point_set::Index(2000), 0.03);
+    cut_hole(points, Point_set::Index(2000), 0.08);
   std::cout << points.size() << " points were read." << std::endl;
 
   std::vector<Hole_report> reports;

@@ -13,7 +13,7 @@ int main()
 {
   // A point with its normal can be any type, as long as two property maps tell position and normal.
   std::vector<Oriented_point> points = sample_sheet(egg_box);
-  cut_hole(points, Point(4.1, 3.8, 0), 0.7);
+  cut_hole(points, Point(5.6, 2.4, 0), 0.7);
 
   std::vector<Oriented_point> new_points;
   CGAL::context_complete<CGAL::Parallel_if_available_tag>(

@@ -27,8 +27,9 @@ Point_set point_set(const std::vector<Oriented_point>& samples)
 double sheet_with_rosette(double x, double y, double center_x, double center_y)
 {
   const double dx = x - center_x, dy = y - center_y, r = std::sqrt(dx * dx + dy * dy);
-  return 0.02 * x * x + (r < 1.2 ? 0.12 * std::pow(std::cos(1.3089969 * r), 2) * (1 + std::cos(6 * std::atan2(dy, dx)) * r)
-                                 : 0.);
+  if(r > 1.2)
+    return 0.02 * x * x;
+  return 0.02 * x * x + 0.12 * std::pow(std::cos(1.3089969 * r), 2) * (1 + std::cos(6 * std::atan2(dy, dx)) * r);
 }
 
 double mean_deviation(const Point_set& points, std::size_t added, const Height& height)
@@ -70,7 +71,7 @@ int main()
 
   // 2. Only the left half may be copied, say because the right half was scanned badly.
   std::vector<Oriented_point> samples = sample_sheet(egg_box);
-  cut_hole(samples, Point(4.1, 3.8, 0), 0.7);
+  cut_hole(samples, Point(5.6, 2.4, 0), 0.7);
   Point_set points = point_set(samples);
   const auto is_example = points.add_property_map<bool>("is_example", true).first;
   for(Point_set::Index i : points)

@@ -1,7 +1,7 @@
 #include "include/sampled_sheet.h"
 
 #include <CGAL/Point_set_3.h>
-#include <CGAL/Timer.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/context_complete.h>
 
 #include <cmath>
@@ -10,11 +10,12 @@
 #include <vector>
 
 typedef CGAL::Point_set_3<Point> Point_set;
+typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 
 int main()
 {
   std::vector<Oriented_point> samples = sample_sheet(egg_box);
-  const Point center(4.1, 3.8, 0);
+  const Point center(5.6, 2.4, 0);
   const double radius = 0.7;
   cut_hole(samples, center, radius);
 
@@ -25,9 +26,10 @@ int main()
     for(const Oriented_point& sample : samples)
       points.insert(sample.first, sample.second);
 
-    CGAL::Timer timer;
+    CGAL::Real_timer timer;
     timer.start();
-    const std::size_t added = CGAL::context_complete(points, CGAL::parameters::use_paper_policies(paper));
+    const std::size_t added = CGAL::context_complete<Concurrency_tag>(
+      points, CGAL::parameters::use_paper_policies(paper));
     timer.stop();
 
     // Points over the hole, and points that were added elsewhere.

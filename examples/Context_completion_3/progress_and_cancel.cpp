@@ -10,6 +10,7 @@
 #include <vector>
 
 typedef CGAL::Point_set_3<Point> Point_set;
+typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 
 // A visitor overrides what it wants to hear of.
 struct Events : public CGAL::Context_completions_3::Default_completion_visitor
@@ -47,7 +48,7 @@ int main()
   // 1. The callback returns false after the first hole: nothing is changed.
   Events events;
   std::cout << "A run that is cancelled:" << std::endl;
-  std::size_t added = CGAL::context_complete(points, CGAL::parameters::callback([](double fraction)
+  std::size_t added = CGAL::context_complete<Concurrency_tag>(points, CGAL::parameters::callback([](double fraction)
     { return fraction < 0.5; }).visitor(std::ref(events)));
   std::cout << "  " << added << " points were added" << std::endl;
   if(added != 0 || points.size() != number)
@@ -56,7 +57,7 @@ int main()
   // 2. The callback prints the progress in steps of a quarter.
   int quarters = 0;
   std::cout << "A full run:" << std::endl;
-  added = CGAL::context_complete(points, CGAL::parameters::callback([&](double fraction)
+  added = CGAL::context_complete<Concurrency_tag>(points, CGAL::parameters::callback([&](double fraction)
     {
       for(; quarters < 4 && 4 * fraction >= quarters + 1; ++quarters)
         std::cout << "  " << 25 * (quarters + 1) << " % are done" << std::endl;

@@ -23,7 +23,7 @@ CGAL::IO::Color color_of_height(double z)
 int main()
 {
   std::vector<Oriented_point> samples = sample_sheet(egg_box);
-  cut_hole(samples, Point(4.1, 3.8, 0), 0.7);
+  cut_hole(samples, Point(5.6, 2.4, 0), 0.7);
 
   Point_set points;
   points.add_normal_map();
@@ -41,6 +41,12 @@ int main()
     points, CGAL::Context_completions_3::combine(parameters::source_map(source), parameters::hole_map(hole),
                                                  parameters::confidence_map(confidence)));
 
+  if(added == 0)
+  {
+    std::cerr << "Error: the hole was not found." << std::endl;
+    return EXIT_FAILURE;
+  }
+
   // The new points are the last ones. Their colours were copied, not computed from their heights.
   std::size_t with_source = 0, right_color = 0;
   double sum = 0;
@@ -54,8 +60,11 @@ int main()
             << " with the colour of the true surface; mean confidence " << sum / double(added) << std::endl;
 
   const Point_set::Index last = *(points.end() - 1);
-  std::cout << "The last one fills hole " << hole[last] << " and is a copy of point " << source[last] << " at ("
-            << points.point(Point_set::Index(std::size_t(source[last]))) << ")." << std::endl;
+  std::cout << "The last one fills hole " << hole[last];
+  if(source[last] >= 0)
+    std::cout << " and is a copy of point " << source[last] << " at ("
+              << points.point(Point_set::Index(std::size_t(source[last]))) << ")";
+  std::cout << "." << std::endl;
 
   std::ofstream file("colored.ply", std::ios::binary);
   CGAL::IO::set_binary_mode(file);

@@ -513,8 +513,8 @@ TEST_F(Program, Keeps_the_records_of_las_files)
   EXPECT_EQ(get_at<std::uint32_t>(result, 111), number);
   EXPECT_EQ(result.substr(227, 64), las.substr(227, 64));
   EXPECT_EQ(result.substr(begin, rows.size() * length), las.substr(begin, rows.size() * length));
-  EXPECT_NEAR(get_at<double>(result, 179), 1001, 0.01);  // largest and smallest x
-  EXPECT_NEAR(get_at<double>(result, 187), 999, 0.01);
+  EXPECT_NEAR(get_at<double>(result, 195), 2001, 0.01);  // largest and smallest y
+  EXPECT_NEAR(get_at<double>(result, 203), 1999, 0.01);
 
   // the other fields of a new point are those of one point of the input
   for(std::size_t i = rows.size(); i < number; ++i)

@@ -12,7 +12,9 @@
 
   After a cancellation by the named parameter `callback` no further event follows.
 
-  \cgalHasModel `CGAL::Context_completions_3::Default_completion_visitor`
+  \cgalHasModelsBegin
+  \cgalHasModels{CGAL::Context_completions_3::Default_completion_visitor}
+  \cgalHasModelsEnd
 
   \sa `CGAL::context_complete()`
   \sa `CGAL::Context_completion_3`

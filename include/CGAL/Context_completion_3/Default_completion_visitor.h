@@ -26,22 +26,22 @@ namespace Context_completions_3 {
 
   A visitor that is interested in some events only can derive from it.
 
-  \cgalModels `CompletionVisitor`
+  \cgalModels{CompletionVisitor}
 */
 struct Default_completion_visitor
 {
   /// \name Detection
   /// @{
-  void on_detection_begin(std::size_t /* number_of_points */) {}
-  void on_detection_end(std::size_t /* number_of_holes */) {}
+  void on_detection_begin(std::size_t /* number_of_points */) {} ///< does nothing
+  void on_detection_end(std::size_t /* number_of_holes */) {} ///< does nothing
   /// @}
 
   /// \name Completion
   /// @{
-  void on_completion_begin(std::size_t /* number_of_chosen_holes */) {}
-  void on_hole_begin(std::size_t /* hole */) {}
-  void on_hole_end(std::size_t /* hole */, std::size_t /* number_of_new_points */) {}
-  void on_completion_end(std::size_t /* number_of_new_points */) {}
+  void on_completion_begin(std::size_t /* number_of_chosen_holes */) {} ///< does nothing
+  void on_hole_begin(std::size_t /* hole */) {} ///< does nothing
+  void on_hole_end(std::size_t /* hole */, std::size_t /* number_of_new_points */) {} ///< does nothing
+  void on_completion_end(std::size_t /* number_of_new_points */) {} ///< does nothing
   /// @}
 };
 

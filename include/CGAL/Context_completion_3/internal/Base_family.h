@@ -19,6 +19,7 @@
 #include <CGAL/for_each.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,7 @@ class Base_family
   struct Member
   {
     double value_noise = 0, gradient_noise = 0;
+    bool is_membrane = false;            // what the base misses at the rim is spread as a membrane, else it fades out
     Polyharmonic_base base;
     Eigen::MatrixXd basis;               // samples x coefficients
     Eigen::MatrixXd rim_basis;           // rim centres x coefficients
@@ -62,14 +64,15 @@ public:
         m_rim.push_back(i);
     prepare_correction();
     prepare_membrane();
-    // variances of values and slopes, in units of the hole's radius
-    const double noise[][2] = {{0, 0}, {0.01, 10}, {0.1, 100}, {1, 300}};
-    m_members.resize(4);
+    // variances of values and slopes, in units of the hole's radius; whether a membrane takes up the rest
+    const double noise[][3] = {{0, 0, 0}, {0.01, 10, 0}, {0.1, 100, 0}, {1, 300, 0}, {1, 300, 1}, {10, 3000, 1}};
+    m_members.resize(6);
     std::vector<std::size_t> indices;
     for(std::size_t m = 0; m < m_members.size(); ++m)
     {
       m_members[m].value_noise = noise[m][0];
       m_members[m].gradient_noise = noise[m][1];
+      m_members[m].is_membrane = noise[m][2] > 0;
       indices.push_back(m);
     }
     const std::vector<std::vector<std::size_t> > groups = sectors();
@@ -103,7 +106,7 @@ public:
   /// Continues the values of each column of `data` as a membrane; linear.
   Eigen::MatrixXd membrane(const Eigen::MatrixXd& data) const
   {
-    return m_membrane_basis * m_membrane.solve(values_at(m_rim, data));
+    return m_membrane * values_at(m_rim, data);
   }
 
   /// Mean error of the prediction of sectors of the surroundings.
@@ -154,8 +157,10 @@ private:
   Eigen::MatrixXd spread(const Member& m, const Eigen::MatrixXd& data) const
   {
     const Eigen::MatrixXd coefficients = m.base.solve(data);
-    return m.basis * coefficients + m_correction * (values_at(m_rim, data) - m.rim_basis * coefficients);
+    return m.basis * coefficients + correction(m) * (values_at(m_rim, data) - m.rim_basis * coefficients);
   }
+
+  const Eigen::MatrixXd& correction(const Member& m) const { return m.is_membrane ? m_membrane : m_correction; }
 
   // A smoothed base misses the rim; what it misses is made up within a few spacings.
   void prepare_correction()
@@ -180,13 +185,15 @@ private:
     std::vector<Vector> positions;
     for(std::size_t i : m_rim)
       positions.push_back(m_patch.centers()[i].position);
-    m_membrane = Membrane(positions, m_patch.scale());
+    const Membrane membrane(positions, m_patch.scale());
+    const Eigen::Index n = Eigen::Index(m_rim.size());
+    const Eigen::MatrixXd weights = membrane.solve(Eigen::MatrixXd::Identity(n, n));
     Eigen::RowVectorXd row;
-    m_membrane_basis.resize(Eigen::Index(m_patch.samples().size()), Eigen::Index(m_rim.size()) + 1);
+    m_membrane.resize(Eigen::Index(m_patch.samples().size()), n);
     for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
     {
-      m_membrane.basis(m_patch.samples()[s].position, row);
-      m_membrane_basis.row(Eigen::Index(s)) = row;
+      membrane.basis(m_patch.samples()[s].position, row);
+      m_membrane.row(Eigen::Index(s)) = row * weights;
     }
   }
 
@@ -218,8 +225,8 @@ private:
       m.rim_basis.row(i) = row;
       m.missed[i] = -height(m.base, coefficients, c.position, c.normal);
     }
-    m.offset += m_correction * m.missed;
-    m.error = prediction_error(m.base, groups, data.col(0));
+    m.offset += correction(m) * m.missed;
+    m.error = prediction_error(m, groups, data.col(0));
   }
 
   // Height of the zero set over `x` along `normal`, by Newton's method on the line.
@@ -264,22 +271,54 @@ private:
     return groups;
   }
 
-  double prediction_error(const Polyharmonic_base& base, const std::vector<std::vector<std::size_t> >& groups,
+  double prediction_error(const Member& m, const std::vector<std::vector<std::size_t> >& groups,
                           const Eigen::VectorXd& data) const
   {
-    const std::vector<Eigen::VectorXd> residuals = base.left_out(groups, data);
+    const std::vector<Eigen::VectorXd> residuals = m.base.left_out(groups, data);
     const double limit = 0.3 * m_patch.scale();
     double sum = 0;
     std::size_t count = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
+    {
+      Eigen::VectorXd rest = Eigen::VectorXd::Zero(Eigen::Index(groups[g].size()));
+      if(m.is_membrane)
+        rest = membrane_without(groups[g], m.missed);
       for(std::size_t i = 0; i < groups[g].size(); ++i)
         if(m_patch.centers()[groups[g][i]].distance < 0.35 * m_patch.scale())
         {
-          const double d = std::abs(residuals[g][4 * Eigen::Index(i)]);
+          // a datum of value 0 below its prediction lies above the zero set
+          const double d = std::abs(-residuals[g][4 * Eigen::Index(i)] - rest[Eigen::Index(i)]);
           sum += d < limit ? d : limit;
           ++count;
         }
+    }
     return count > 0 ? sum / double(count) : limit;
+  }
+
+  // The membrane through what is missed at the rim outside the group, at the centres of the group.
+  Eigen::VectorXd membrane_without(const std::vector<std::size_t>& group, const Eigen::VectorXd& missed) const
+  {
+    std::vector<Vector> positions;
+    std::vector<double> values;
+    for(std::size_t i = 0; i < m_rim.size(); ++i)
+      if(std::find(group.begin(), group.end(), m_rim[i]) == group.end())
+      {
+        positions.push_back(m_patch.centers()[m_rim[i]].position);
+        values.push_back(missed[Eigen::Index(i)]);
+      }
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(group.size()));
+    if(positions.size() < 3)
+      return result;
+    const Membrane membrane(positions, m_patch.scale());
+    const Eigen::VectorXd weights =
+      membrane.solve(Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size()))).col(0);
+    Eigen::RowVectorXd row;
+    for(std::size_t i = 0; i < group.size(); ++i)
+    {
+      membrane.basis(m_patch.centers()[group[i]].position, row);
+      result[Eigen::Index(i)] = row.dot(weights);
+    }
+    return result;
   }
 
   void weigh()
@@ -300,9 +339,8 @@ private:
 
   const Patch& m_patch;
   std::vector<std::size_t> m_rim;
-  Eigen::MatrixXd m_correction;
-  Membrane m_membrane;
-  Eigen::MatrixXd m_membrane_basis;
+  Eigen::MatrixXd m_correction;         // samples x rim: fades out within a few spacings
+  Eigen::MatrixXd m_membrane;
   std::vector<Member> m_members;
   double m_sector_error = 0;
 };

@@ -118,22 +118,29 @@ private:
   Hole_data describe(const Detected_hole<ConcurrencyTag>& hole) const
   {
     Hole_data data;
-    const Patch& patch = *hole.patch;
-    for(const Rim_loop& loop : patch.loops())
+    std::size_t number = 0;
+    for(const Rim_loop& loop : hole.loops)
     {
       data.loops.emplace_back();
       for(const Rim_point& p : loop.points)
       {
         data.loops.back().push_back(p.index);
         data.center += m_model->position(p.index);
+        data.spacing += m_model->spacing(p.index);
+        ++number;
       }
     }
-    data.center /= double(patch.rim().size());
-    data.diameter = patch.diameter();
-    data.cells = m_map->invalid_cells(patch);
-    data.spacing = patch.spacing();
+    data.center /= double(number);
+    data.spacing /= double(number);
+    data.diameter = hole.loops.front().diameter;
+    if(hole.patch)
+    {
+      data.diameter = hole.patch->diameter();
+      data.spacing = hole.patch->spacing();
+      data.cells = m_map->invalid_cells(*hole.patch);
+    }
     const double smallest = m_parameters.minimum_hole_diameter > 0 ? m_parameters.minimum_hole_diameter
-                                                                   : 4.5 * patch.spacing();
+                                                                   : 4.5 * data.spacing;
     if(hole.is_outer_border)
       data.state = Hole_state::outer_border;
     else if(data.diameter < smallest)

@@ -178,7 +178,7 @@ public:
 
 private:
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
-  static double copy_margin() { return 0.8; }
+  static double copy_margin() { return 0.95; }
   static double whole_margin() { return 1.1; }
 
   // What is finer than a few spacings may stay with the carried points as their texture; the plan decides the rest. It is

@@ -31,7 +31,8 @@ namespace internal {
 template <typename ConcurrencyTag>
 struct Detected_hole
 {
-  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;
+  std::vector<Rim_loop> loops;
+  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where the rim opens outwards
   bool is_outer_border = false;
 };
 
@@ -79,23 +80,29 @@ public:
       else if(loops[l].opening(m_model.points(), loops[l].center) < -0.3)
       {
         // opens away from its own centre: the border of a sheet, or of an island
-        if(loops[l].points.size() >= 12)
-          border(loops, l, holes);
+        if(loops[l].points.size() >= fewest_border_points())
+        {
+          Hole border;
+          border.loops.push_back(loops[l]);
+          border.is_outer_border = true;
+          holes.push_back(border);
+        }
         is_used[l] = 1;
         continue;
       }
       std::shared_ptr<const Patch> patch = base(loops, group);
       for(int round = 0; round < 2 && patch->is_closed(); ++round)
-        if(!take_in_reached(loops, loop_of_point, is_used, *patch, group))
+        if(!take_in_reached(loop_of_point, is_used, *patch, group))
           break;
         else
           patch = base(loops, group);
       for(std::size_t g : group)
         is_used[g] = 1;
       Hole hole;
+      hole.loops = patch->loops();
       hole.patch = patch;
       hole.is_outer_border = !patch->is_closed();
-      if(hole.is_outer_border ? loops[l].points.size() >= 12 : is_evident(*patch))
+      if(hole.is_outer_border ? loops[l].points.size() >= fewest_border_points() : is_evident(*patch))
         holes.push_back(hole);
     }
     return true;
@@ -108,7 +115,8 @@ private:
     return patch.number_of_uncovered() >= 4;
   }
 
-  void border(const std::vector<Rim_loop>&, std::size_t, std::vector<Hole>&) const {}
+  // shorter rims that bound nothing are irregularities of the sampling
+  static std::size_t fewest_border_points() { return 12; }
 
   std::shared_ptr<const Patch> base(const std::vector<Rim_loop>& loops, const std::vector<std::size_t>& group) const
   {
@@ -145,8 +153,8 @@ private:
   }
 
   // rims that the sampling of the base arrived at
-  bool take_in_reached(const std::vector<Rim_loop>& loops, const std::vector<std::size_t>& loop_of_point,
-                       const std::vector<char>& is_used, const Patch& patch, std::vector<std::size_t>& group) const
+  bool take_in_reached(const std::vector<std::size_t>& loop_of_point, const std::vector<char>& is_used,
+                       const Patch& patch, std::vector<std::size_t>& group) const
   {
     const std::size_t before = group.size();
     for(std::size_t i : patch.reached())
@@ -155,7 +163,6 @@ private:
       if(m != no_index && !is_used[m] && std::find(group.begin(), group.end(), m) == group.end())
         group.push_back(m);
     }
-    (void) loops;
     return group.size() > before;
   }
 

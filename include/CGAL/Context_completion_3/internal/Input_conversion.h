@@ -23,6 +23,8 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -19,6 +19,7 @@
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -19,6 +19,7 @@
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -18,6 +18,8 @@
 #include <CGAL/Context_completion_3/internal/Overlap_alignment.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

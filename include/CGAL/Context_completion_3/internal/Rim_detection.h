@@ -17,6 +17,7 @@
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

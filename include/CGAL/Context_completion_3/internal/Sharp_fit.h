@@ -19,6 +19,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Geometry>
+
 
 #include <cmath>
 #include <cstddef>

@@ -19,6 +19,8 @@
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 #include <CGAL/Context_completion_3/internal/Surface_band.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -264,8 +266,9 @@ private:
       for(const Rim_point& p : loop.points)
       {
         const Vector from = m_model.position(p.index);
-        try_sample(from + h * p.outward, from, m_model.normal(p.index));
+        // the farther one first: a sample close to the rim is covered, starts nothing and would bar the other
         try_sample(from + 1.4 * h * p.outward, from, m_model.normal(p.index));
+        try_sample(from + h * p.outward, from, m_model.normal(p.index));
       }
     const double farthest = m_diameter + 6 * h;
     while(!front.empty())

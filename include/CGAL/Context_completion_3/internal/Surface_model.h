@@ -20,6 +20,7 @@
 #include <CGAL/for_each.h>
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
