@@ -77,9 +77,9 @@ public:
       const std::size_t partner = facing_loop(loops, is_used, l);
       if(partner != no_index)
         group.push_back(partner);
-      else if(loops[l].opening(m_model.points(), loops[l].center) < -0.3)
+      else if(loops[l].opening(m_model.points(), loops[l].center) < least_opening())
       {
-        // opens away from its own centre: the border of a sheet, or of an island
+        // does not open towards its own centre: the border of a sheet or of an island, the end of a tube
         if(loops[l].points.size() >= fewest_border_points())
         {
           Hole border;
@@ -114,6 +114,9 @@ private:
   {
     return patch.number_of_uncovered() >= 4;
   }
+
+  // mean cosine; a hole in a sphere reaches it when it takes off nearly half of it
+  static double least_opening() { return 0.25; }
 
   // shorter rims that bound nothing are irregularities of the sampling
   static std::size_t fewest_border_points() { return 12; }

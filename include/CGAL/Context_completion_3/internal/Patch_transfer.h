@@ -111,10 +111,13 @@ private:
       Added_point point;
       point.position = b.position + heights[Eigen::Index(s)] * b.normal;
       point.normal = (b.normal - gradient).normalized();
-      const std::size_t set = place == nullptr ? 0 : place->source;
-      const Vector y = place == nullptr ? point.position : place->motion.inverse(point.position);
-      point.source = m_sources[set].original_index(m_sources[set].model->search().nearest(y).first);
-      point.source_set = m_sources[set].set;
+      if(place != nullptr)
+      {
+        const Source& source = m_sources[place->source];
+        point.source =
+          source.original_index(source.model->search().nearest(place->motion.inverse(point.position)).first);
+        point.source_set = source.set;
+      }
       add(point, room, (std::max)(0.7, room), (std::max)(0.9, room), grid, result);
     }
   }
