@@ -115,7 +115,7 @@ public:
       result.outcome.match = match.forecast->match(best);
       const Eigen::VectorXd difference = heights - relief.height, coarse = low_pass(sampler, difference);
       const double amplitude = root_mean_square(difference - coarse);
-      const bool is_textured = m_keep_texture && amplitude > 0.06 * patch.spacing() && amplitude < 0.85 * chosen.error;
+      const bool is_textured = m_keep_texture && amplitude > 0.1 * patch.spacing() && amplitude < 0.85 * chosen.error;
       if(chosen.plan.places > 0 || (is_textured && relief.coverage > 0.9))
       {
         place = &match.places[best];

@@ -115,6 +115,9 @@ private:
     return patch.number_of_uncovered() >= 4;
   }
 
+  // the end of a tube is a ring
+  static std::size_t fewest_tube_points() { return 6; }
+
   // mean cosine; a hole in a sphere reaches it when it takes off nearly half of it
   static double least_opening() { return 0.25; }
 
@@ -133,14 +136,14 @@ private:
   std::size_t facing_loop(const std::vector<Rim_loop>& loops, const std::vector<char>& is_used, std::size_t l) const
   {
     const Rim_loop& a = loops[l];
-    if(a.opening(m_model.points(), a.center) > 0.6)
+    if(a.points.size() < fewest_tube_points() || a.opening(m_model.points(), a.center) > 0.6)
       return no_index;
     std::size_t best = no_index;
     double shortest = 0;
     for(std::size_t m = 0; m < loops.size(); ++m)
     {
       const Rim_loop& b = loops[m];
-      if(m == l || is_used[m] || b.points.size() < 6 || b.diameter < 0.4 * a.diameter)
+      if(m == l || is_used[m] || b.points.size() < fewest_tube_points() || b.diameter < 0.4 * a.diameter)
         continue;
       const double distance = (a.center - b.center).norm();
       if(distance > 2.5 * a.diameter || a.opening(m_model.points(), b.center) < 0.6 ||

@@ -39,7 +39,8 @@ namespace internal {
 /*!
   Nearest neighbours and balls in a fixed array of positions: CGAL's `Kd_tree` over indices.
   Queries are `const` and safe from several threads, because the tree is built in the constructor.
-  Ties are broken by the smaller index, so that results do not depend on the shape of the tree.
+  Points at the same distance come by increasing index. Which of several points at the distance of the k-th is returned
+  depends on the tree, which is a function of the positions and their order alone, so results repeat.
 */
 class Neighbor_search
 {

@@ -1,0 +1,321 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+// The default policy as a whole, against surfaces whose missing part is known.
+
+#include "include/engine_samples.h"
+
+#include <CGAL/Context_completion_3/internal/Completion_engine.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Context_completions_3::internal;
+namespace samples = Test_surfaces;
+
+namespace {
+
+typedef std::function<double(const Vector&)> Distance;   // to the true surface
+
+// A surface with a part cut out.
+struct Cut
+{
+  std::string name;
+  samples::Samples rest, removed;
+  Distance distance;
+  double largest_error;   // mean, in spacings
+  bool is_copied;
+};
+
+const double k = 2 * samples::pi / 8.;
+
+double egg_box_distance(const Vector& p)
+{
+  const double height = std::sin(k * p.x()) * std::sin(k * p.y());
+  const double dx = k * std::cos(k * p.x()) * std::sin(k * p.y()), dy = k * std::sin(k * p.x()) * std::cos(k * p.y());
+  return std::abs(p.z() - height) / std::sqrt(1 + dx * dx + dy * dy);
+}
+
+Cut bumpy_sheet()
+{
+  Cut cut = { "bumpy_sheet", {}, {}, egg_box_distance, 0.1, true };
+  cut.rest = samples::without_ball(samples::bumpy_plane(48, 1., 8., 1.), samples::Point(25, 23, 0), 4., &cut.removed);
+  return cut;
+}
+
+// the relief repeats in the octants
+Cut bumpy_sphere()
+{
+  const double radius = 22., bump = 1., f = 9.;
+  Cut cut = { "bumpy_sphere", {}, {}, Distance(), 0.1, true };
+  cut.distance = [=](const Vector& p)
+  {
+    const Vector d = p.normalized();
+    const double cx = std::cos(f * d.x()), cy = std::cos(f * d.y()), cz = std::cos(f * d.z());
+    const Vector change = -bump * f * Vector(std::sin(f * d.x()) * cy * cz, cx * std::sin(f * d.y()) * cz,
+                                             cx * cy * std::sin(f * d.z()));
+    const double r = p.norm();
+    return std::abs(r - radius - bump * cx * cy * cz) / (d - (change - change.dot(d) * d) / r).norm();
+  };
+  const samples::Vector middle = samples::unit(samples::Vector(1., 0.8, 0.6));
+  cut.rest = samples::without_ball(samples::bumpy_sphere(7000, radius, bump, f), CGAL::ORIGIN + radius * middle, 4.,
+                                   &cut.removed);
+  return cut;
+}
+
+Cut plane()
+{
+  Cut cut = { "plane", {}, {}, [](const Vector& p) { return std::abs(p.z()); }, 0.02, false };
+  cut.rest = samples::without_ball(samples::plane(32), samples::Point(16, 16, 0), 4., &cut.removed);
+  return cut;
+}
+
+Cut smooth_sphere()
+{
+  const double radius = 15.5;
+  Cut cut = { "smooth_sphere", {}, {}, [=](const Vector& p) { return std::abs(p.norm() - radius); }, 0.1, false };
+  cut.rest = samples::without_ball(samples::sphere(3000, radius), samples::Point(radius, 0, 0), 4., &cut.removed);
+  return cut;
+}
+
+struct Completion
+{
+  double spacing = 0;
+  std::vector<Hole_data> holes;
+  std::vector<std::size_t> chosen;
+  std::vector<Added_point> added;
+  std::vector<Hole_outcome> outcomes;
+};
+
+template <typename ConcurrencyTag>
+Completion run(const samples::Samples& surface, const Engine_parameters& parameters = Engine_parameters())
+{
+  const Surface_points points = samples::engine_points(surface);
+  Completion_engine<ConcurrencyTag> engine(points, parameters);
+  Completion result;
+  EXPECT_TRUE(engine.detect(typename Completion_engine<ConcurrencyTag>::Callback()));
+  for(std::size_t h = 0; h < engine.holes().size(); ++h)
+    if(engine.holes()[h].state == Hole_state::hole)
+      result.chosen.push_back(h);
+  EXPECT_TRUE(engine.complete(result.chosen, typename Completion_engine<ConcurrencyTag>::Callback()));
+  result.spacing = engine.spacing();
+  result.holes = engine.holes();
+  result.added = engine.added();
+  result.outcomes = engine.outcomes();
+  return result;
+}
+
+Completion sequential(const samples::Samples& surface, const Engine_parameters& parameters = Engine_parameters())
+{
+  return run<CGAL::Sequential_tag>(surface, parameters);
+}
+
+double mean_error(const Completion& result, const Distance& distance)
+{
+  double sum = 0;
+  for(const Added_point& p : result.added)
+    sum += distance(p.position);
+  return sum / double(result.added.size());
+}
+
+void expect_same(const Completion& a, const Completion& b)
+{
+  ASSERT_EQ(a.added.size(), b.added.size());
+  for(std::size_t i = 0; i < a.added.size(); ++i)
+  {
+    EXPECT_TRUE(a.added[i].position == b.added[i].position);
+    EXPECT_TRUE(a.added[i].normal == b.added[i].normal);
+    EXPECT_EQ(a.added[i].source, b.added[i].source);
+    EXPECT_EQ(a.added[i].hole, b.added[i].hole);
+    EXPECT_EQ(a.added[i].confidence, b.added[i].confidence);
+  }
+  ASSERT_EQ(a.outcomes.size(), b.outcomes.size());
+  for(std::size_t i = 0; i < a.outcomes.size(); ++i)
+  {
+    EXPECT_EQ(a.outcomes[i].filling, b.outcomes[i].filling);
+    EXPECT_EQ(a.outcomes[i].expected_error, b.outcomes[i].expected_error);
+    EXPECT_EQ(a.outcomes[i].reason, b.outcomes[i].reason);
+  }
+}
+
+std::vector<Hole_data> detected(const samples::Samples& surface, const Engine_parameters& parameters)
+{
+  const Surface_points points = samples::engine_points(surface);
+  Completion_engine<CGAL::Sequential_tag> engine(points, parameters);
+  EXPECT_TRUE(engine.detect(Completion_engine<CGAL::Sequential_tag>::Callback()));
+  return engine.holes();
+}
+
+// The hole that is no outer border next to `center`.
+Hole_state state_at(const std::vector<Hole_data>& holes, const Vector& center)
+{
+  for(const Hole_data& h : holes)
+    if(h.state != Hole_state::outer_border && (h.center - center).norm() < 2)
+      return h.state;
+  ADD_FAILURE() << "no hole at " << center.transpose();
+  return Hole_state::outer_border;
+}
+
+class Known_surface : public ::testing::TestWithParam<Cut> {};
+
+} // namespace
+
+TEST_P(Known_surface, Is_restored)
+{
+  const Cut& cut = GetParam();
+  const Completion result = sequential(cut.rest);
+  ASSERT_EQ(result.chosen.size(), 1u);
+  ASSERT_FALSE(result.added.empty());
+  const Hole_outcome& outcome = result.outcomes[result.chosen.front()];
+  const double error = mean_error(result, cut.distance);
+  RecordProperty("mean_error_in_spacings", std::to_string(error / result.spacing));
+  EXPECT_LT(error, cut.largest_error * result.spacing) << outcome.reason;
+  if(cut.is_copied)
+  {
+    EXPECT_EQ(outcome.filling, Filling::copied) << outcome.reason;
+  }
+  EXPECT_EQ(outcome.added, result.added.size());
+  EXPECT_NEAR(double(result.added.size()), double(cut.removed.size()), 0.35 * double(cut.removed.size()));
+
+  std::vector<Vector> added;
+  for(const Added_point& p : result.added)
+  {
+    EXPECT_TRUE(p.position.allFinite());
+    EXPECT_NEAR(p.normal.norm(), 1., 1e-6);
+    EXPECT_GE(p.confidence, 0.);
+    EXPECT_LE(p.confidence, 1.);
+    EXPECT_EQ(p.hole, result.chosen.front());
+    added.push_back(p.position);
+  }
+  for(const samples::Oriented_point& s : cut.removed)
+    EXPECT_LT(samples::nearest_distance(samples::engine_vector(s.first), added), 2 * result.spacing);
+
+  // a promise that is far too good would mislead
+  EXPECT_GE(outcome.expected_error, 0.5 * error) << outcome.reason;
+}
+
+TEST_P(Known_surface, Normals_of_the_new_points_follow_the_surface)
+{
+  const Cut& cut = GetParam();
+  const Completion result = sequential(cut.rest);
+  ASSERT_FALSE(result.added.empty());
+  double sum = 0;
+  for(const Added_point& p : result.added)
+  {
+    std::size_t nearest = 0;
+    for(std::size_t i = 0; i < cut.removed.size(); ++i)
+      if((samples::engine_vector(cut.removed[i].first) - p.position).norm() <
+         (samples::engine_vector(cut.removed[nearest].first) - p.position).norm())
+        nearest = i;
+    sum += p.normal.dot(samples::engine_vector(cut.removed[nearest].second));
+  }
+  EXPECT_GT(sum / double(result.added.size()), 0.9);
+}
+
+TEST_P(Known_surface, Two_runs_give_the_same_bits)
+{
+  const Completion a = sequential(GetParam().rest), b = sequential(GetParam().rest);
+  expect_same(a, b);
+#ifdef CGAL_LINKED_WITH_TBB
+  expect_same(a, run<CGAL::Parallel_tag>(GetParam().rest));
+#endif
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, Known_surface,
+                         ::testing::Values(bumpy_sheet(), bumpy_sphere(), plane(), smooth_sphere()),
+                         [](const ::testing::TestParamInfo<Cut>& info) { return info.param.name; });
+
+TEST(Default_policy, Diameters_set_the_state)
+{
+  const samples::Samples sheet = samples::plane_with_two_holes();   // diameters about 9 and 12
+  const Vector small(14, 14, 0), large(29, 30, 0);
+  Engine_parameters parameters;
+  EXPECT_EQ(state_at(detected(sheet, parameters), small), Hole_state::hole);
+  EXPECT_EQ(state_at(detected(sheet, parameters), large), Hole_state::hole);
+  parameters.minimum_hole_diameter = 10.5;
+  EXPECT_EQ(state_at(detected(sheet, parameters), small), Hole_state::too_small);
+  EXPECT_EQ(state_at(detected(sheet, parameters), large), Hole_state::hole);
+  parameters.minimum_hole_diameter = 0;
+  parameters.maximum_hole_diameter = 10.5;
+  EXPECT_EQ(state_at(detected(sheet, parameters), small), Hole_state::hole);
+  EXPECT_EQ(state_at(detected(sheet, parameters), large), Hole_state::too_large);
+}
+
+TEST(Default_policy, Regions_set_the_state)
+{
+  const samples::Samples sheet = samples::plane_with_two_holes();
+  const Vector small(14, 14, 0), large(29, 30, 0);
+  const CGAL::Bbox_3 around_small(10, 10, -1, 18, 18, 1);
+  Engine_parameters parameters;
+  parameters.regions.push_back(around_small);
+  EXPECT_EQ(state_at(detected(sheet, parameters), small), Hole_state::hole);
+  EXPECT_EQ(state_at(detected(sheet, parameters), large), Hole_state::excluded);
+  parameters.regions.clear();
+  parameters.excluded_regions.push_back(around_small);
+  EXPECT_EQ(state_at(detected(sheet, parameters), small), Hole_state::excluded);
+  EXPECT_EQ(state_at(detected(sheet, parameters), large), Hole_state::hole);
+}
+
+TEST(Default_policy, Copies_nothing_that_the_mask_bars)
+{
+  const Cut cut = bumpy_sheet();
+  Engine_parameters parameters;
+  for(const samples::Oriented_point& s : cut.rest)
+    parameters.is_example.push_back(s.first.x() < 24);
+  const Completion result = sequential(cut.rest, parameters);
+  ASSERT_FALSE(result.added.empty());
+  std::size_t with_source = 0;
+  for(const Added_point& p : result.added)
+    if(p.source != no_index)
+    {
+      ++with_source;
+      ASSERT_LT(p.source, cut.rest.size());
+      EXPECT_EQ(p.source_set, 0u);
+      EXPECT_TRUE(parameters.is_example[p.source] != 0);
+    }
+  EXPECT_GT(with_source, 0u);
+}
+
+TEST(Default_policy, Copies_from_a_further_example)
+{
+  const Cut cut = bumpy_sheet();
+  Engine_parameters parameters;
+  parameters.is_example.assign(cut.rest.size(), 0);
+  parameters.examples.push_back(samples::engine_points(samples::bumpy_plane(40, 1., 8., 1., 0.15, 7)));
+  const Completion result = sequential(cut.rest, parameters);
+  ASSERT_FALSE(result.added.empty());
+  EXPECT_LT(mean_error(result, cut.distance), 0.1 * result.spacing);
+  std::size_t with_source = 0;
+  for(const Added_point& p : result.added)
+    if(p.source != no_index)
+    {
+      ++with_source;
+      EXPECT_EQ(p.source_set, 1u);
+      EXPECT_LT(p.source, parameters.examples.front().size());
+    }
+  EXPECT_GT(with_source, 0u);
+}
+
+TEST(Default_policy, A_callback_stops_it)
+{
+  const Cut cut = plane();
+  const Surface_points points = samples::engine_points(cut.rest);
+  Completion_engine<CGAL::Sequential_tag> engine(points, Engine_parameters());
+  EXPECT_FALSE(engine.detect([](double) { return false; }));
+  EXPECT_TRUE(engine.holes().empty());
+  EXPECT_TRUE(engine.detect([](double) { return true; }));
+  EXPECT_FALSE(engine.holes().empty());
+}

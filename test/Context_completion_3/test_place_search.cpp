@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+// The search for source places: look-up of near points, alignment on the overlap, and the whole search against an
+// exhaustive one.
+
+#include "include/engine_samples.h"
+
+#include <CGAL/Context_completion_3/internal/Hole_completion.h>
+#include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Nearest_point_grid.h>
+#include <CGAL/Context_completion_3/internal/Overlap_alignment.h>
+#include <CGAL/Context_completion_3/internal/Place_search.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+using namespace CGAL::Context_completions_3::internal;
+namespace samples = Test_surfaces;
+
+namespace {
+
+typedef CGAL::Sequential_tag Tag;
+typedef Surface_model<Tag> Model;
+typedef Example_source<Tag> Source;
+
+const double period = 12., bump = 1.5;
+
+// relief that repeats, and of which no mirror image is a part: three waves without a common axis
+double chiral(double x, double y)
+{
+  return 0.9 * std::sin(0.5 * x) + 0.7 * std::sin(0.6 * y + 0.25 * x + 1.) + 0.5 * std::sin(0.45 * (x + 1.3 * y) + 2.) +
+         0.4 * std::sin(0.8 * x - 0.35 * y);
+}
+
+samples::Samples chiral_sheet(std::size_t rows, unsigned int seed)
+{
+  const double step = 1e-5;
+  return samples::graph(rows, 1., chiral, [=](double x, double y) {
+    return std::make_pair((chiral(x + step, y) - chiral(x - step, y)) / (2 * step),
+                          (chiral(x, y + step) - chiral(x, y - step)) / (2 * step)); }, 0.15, seed);
+}
+
+samples::Samples mirrored(const samples::Samples& surface)
+{
+  samples::Samples result;
+  for(const samples::Oriented_point& s : surface)
+    result.emplace_back(samples::Point(-s.first.x(), s.first.y(), s.first.z()),
+                        samples::Vector(-s.second.x(), s.second.y(), s.second.z()));
+  return result;
+}
+
+Source source(const samples::Samples& surface, std::size_t set = 0)
+{
+  Source result;
+  result.set = set;
+  result.points = std::make_shared<Surface_points>(samples::engine_points(surface));
+  result.model = std::make_shared<Model>(*result.points);
+  return result;
+}
+
+// What the engine looks for at the only hole of a sheet.
+Match_target target_of(const Model& model)
+{
+  std::vector<Detected_hole<Tag> > holes;
+  EXPECT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+  for(const Detected_hole<Tag>& h : holes)
+    if(!h.is_outer_border)
+      return Hole_completion<Tag>::match_target(model, *h.patch);
+  ADD_FAILURE() << "no hole";
+  return Match_target();
+}
+
+double largest_difference(const Motion& a, const Motion& b, const std::vector<Vector>& points)
+{
+  double largest = 0;
+  for(const Vector& p : points)
+    largest = (std::max)(largest, (a(p) - b(p)).norm());
+  return largest;
+}
+
+// Known surroundings of (24, 24), carried by `motion`.
+std::vector<Match_probe> ring(const Surface_points& points, const Motion& motion, std::vector<Vector>& original)
+{
+  std::vector<Match_probe> probes;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double r = std::hypot(points.position[i].x() - 24, points.position[i].y() - 24);
+    if(r < 5 || r > 9)
+      continue;
+    Match_probe probe;
+    probe.position = motion(points.position[i]);
+    probe.normal = motion.normal(points.normal[i]);
+    probes.push_back(probe);
+    original.push_back(points.position[i]);
+  }
+  return probes;
+}
+
+} // namespace
+
+TEST(Nearest_point_grid, Answers_within_a_voxel_diagonal)
+{
+  for(const samples::Samples& surface : { samples::bumpy_plane(30, 1., period, bump), samples::sphere(2000, 12.) })
+  {
+    const Surface_points points = samples::engine_points(surface);
+    const Neighbor_search search(points.position);
+    const int layers = 6;
+    for(const double voxel : { 0.4, 0.7 })
+    {
+      const Nearest_point_grid grid(points, voxel, layers);
+      ASSERT_EQ(grid.voxel(), voxel);
+      samples::Random_offsets offset(3);
+      std::size_t inside = 0;
+      for(std::size_t i = 0; i < points.size(); ++i)
+      {
+        const double x = offset(), y = offset(), z = offset();
+        const Vector q = points.position[i] + 2. * Vector(x, y, z);
+        const double nearest = search.nearest(q).second;
+        const std::uint32_t found = grid(q);
+        // the band is as many steps to the six neighbours wide
+        if(nearest > (layers - 2) * voxel / std::sqrt(3.))
+          continue;
+        ++inside;
+        ASSERT_NE(found, Nearest_point_grid::none);
+        EXPECT_LE((points.position[found] - q).norm(), nearest + std::sqrt(3.) * voxel);
+      }
+      EXPECT_GT(inside, 100u);
+      EXPECT_EQ(grid(Vector(0, 0, 1000)), std::uint32_t(Nearest_point_grid::none));
+      EXPECT_EQ(grid(Vector(-1000, 0, 0)), std::uint32_t(Nearest_point_grid::none));
+    }
+  }
+}
+
+TEST(Overlap_alignment, Recovers_a_known_small_motion)
+{
+  const Surface_points points = samples::engine_points(chiral_sheet(48, 1));
+  const Model model(points);
+  const Vector pivot(24, 24, 0);
+  const Nearest_point_grid grid(points, 0.5, 8);
+  for(const Motion& expected : { Motion().moved(Vector(0.02, -0.03, 0.06), Vector(0.4, -0.3, 0.5), pivot),
+                                 Motion().moved(Vector(0, 0, -0.08), Vector(-0.5, 0.2, -0.3), pivot), Motion() })
+  {
+    std::vector<Vector> original;
+    const std::vector<Match_probe> probes = ring(points, expected, original);
+    const Motion exact = Overlap_alignment<Tag>(model, nullptr).align(probes, Motion(), 3., 1.5, 40);
+    EXPECT_LT(largest_difference(exact, expected, original), 1e-3);
+    EXPECT_NEAR(std::abs(exact.linear.determinant()), 1., 1e-9);
+    const Motion fast = Overlap_alignment<Tag>(model, &grid).align(probes, Motion(), 3., 1.5, 40);
+    EXPECT_LT(largest_difference(fast, expected, original), 0.15);
+    Match_weights weights;
+    const Overlap_alignment<Tag> alignment(model, nullptr);
+    EXPECT_LT(alignment.score(probes, exact, weights), 1e-4);
+    EXPECT_LE(alignment.score(probes, exact, weights), alignment.score(probes, Motion(), weights) + 1e-12);
+  }
+}
+
+TEST(Overlap_alignment, Recovers_a_motion_from_other_samples_of_the_surface)
+{
+  const Surface_points points = samples::engine_points(chiral_sheet(48, 1));
+  const Surface_points others = samples::engine_points(chiral_sheet(48, 2));
+  const Model model(points);
+  const Motion expected = Motion().moved(Vector(0.02, -0.03, 0.06), Vector(0.4, -0.3, 0.5), Vector(24, 24, 0));
+  std::vector<Vector> original;
+  const std::vector<Match_probe> probes = ring(others, expected, original);
+  const Motion found = Overlap_alignment<Tag>(model, nullptr).align(probes, Motion(), 3., 1.5, 40);
+  EXPECT_LT(largest_difference(found, expected, original), 0.1);
+}
+
+TEST(Overlap_alignment, Nothing_near_scores_worst_and_stays)
+{
+  const Surface_points points = samples::engine_points(samples::plane(20));
+  const Model model(points);
+  Match_probe probe;
+  probe.position = Vector(10, 10, 100);
+  probe.normal = Vector::UnitZ();
+  const std::vector<Match_probe> probes(5, probe);
+  const Overlap_alignment<Tag> alignment(model, nullptr);
+  Match_weights weights;
+  EXPECT_EQ(alignment.score(probes, Motion(), weights), 1 + weights.kappa);
+  EXPECT_EQ(alignment.score(std::vector<Match_probe>(), Motion(), weights), 1 + weights.kappa);
+  const Motion found = alignment.align(probes, Motion(), 3., 1., 5);
+  EXPECT_TRUE(found.linear == Matrix::Identity());
+  EXPECT_TRUE(found.translation == Vector::Zero());
+}
+
+TEST(Place_search, Is_as_good_as_an_exhaustive_search)
+{
+  const std::vector<Source> sources(1, source(
+    samples::without_ball(samples::bumpy_plane(60, 1., period, bump), samples::Point(29, 31, 0), 4.)));
+  const Model& model = *sources.front().model;
+  const Match_target target = target_of(model);
+  const std::vector<Place> found = Place_search<Tag>(sources, Search_settings()).search(target);
+  ASSERT_FALSE(found.empty());
+  const Overlap_alignment<Tag> alignment(model, nullptr);
+
+  // all places of a period, turned in steps of 15 degrees, and mirrored
+  double best = std::numeric_limits<double>::infinity();
+  const double w = 2 * samples::pi / period;
+  for(double x = 12; x < 12 + period; x += 1.5)
+    for(double y = 12; y < 12 + period; y += 1.5)
+    {
+      Surface_frame frame;
+      frame.origin = Vector(x, y, bump * std::sin(w * x) * std::sin(w * y));
+      for(int turn = 0; turn < 24; ++turn)
+        for(const bool is_mirrored : { false, true })
+        {
+          const Motion start = target.frame.turned(2 * samples::pi * turn / 24.).motion_from(frame, is_mirrored);
+          const Motion motion = alignment.align(target.overlap, start, 4 * target.spacing, 1.5 * target.spacing, 8);
+          best = (std::min)(best, Place_search<Tag>::exact_score(model, target, motion));
+        }
+    }
+  EXPECT_LE(found.front().score, best + 0.01);
+
+  // the relief repeats, so a perfect place exists up to the sampling
+  EXPECT_LT(found.front().score, 0.1);
+  for(std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_EQ(found[i].score, Place_search<Tag>::exact_score(model, target, found[i].motion));
+    EXPECT_LT((found[i].motion(found[i].origin) - target.frame.origin).norm(), 1e-9);
+    EXPECT_LT((found[i].motion.linear * found[i].motion.linear.transpose() - Matrix::Identity()).norm(), 1e-9);
+    if(i > 0)
+    {
+      EXPECT_LE(found[i - 1].score, found[i].score);
+    }
+    for(std::size_t j = 0; j < i; ++j)
+      EXPECT_GE((found[i].origin - found[j].origin).norm(), 0.5 * target.radius);
+  }
+}
+
+TEST(Place_search, Mirrors_only_when_allowed)
+{
+  const Source holed = source(samples::without_ball(chiral_sheet(48, 1), samples::Point(24, 24, 0), 5.));
+  const Match_target target = target_of(*holed.model);
+  const std::vector<Source> sources(1, source(mirrored(chiral_sheet(48, 5)), 1));
+  Search_settings settings;
+  const std::vector<Place> with = Place_search<Tag>(sources, settings).search(target);
+  settings.mirror = false;
+  const std::vector<Place> without = Place_search<Tag>(sources, settings).search(target);
+  ASSERT_FALSE(with.empty());
+  ASSERT_FALSE(without.empty());
+  EXPECT_LT(with.front().motion.linear.determinant(), 0.);
+  EXPECT_LT((with.front().origin - Vector(-target.frame.origin.x(), target.frame.origin.y(),
+                                          target.frame.origin.z())).norm(), 1.);
+  EXPECT_LT(with.front().score, 0.1);
+  for(const Place& p : without)
+    EXPECT_GT(p.motion.linear.determinant(), 0.);
+  EXPECT_GT(without.front().score, 1.5 * with.front().score);
+}
+
+TEST(Place_search, Finds_the_place_in_the_right_source)
+{
+  const Source holed = source(samples::without_ball(chiral_sheet(48, 1), samples::Point(24, 24, 0), 5.));
+  const Match_target target = target_of(*holed.model);
+  const std::vector<Source> sources = { source(samples::plane(40), 1), source(chiral_sheet(48, 5), 2),
+                                        source(samples::Samples(), 3) };
+  const std::vector<Place> found = Place_search<Tag>(sources, Search_settings()).search(target);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().source, 1u);
+  EXPECT_LT((found.front().origin - target.frame.origin).norm(), 1.);
+}

@@ -1,0 +1,522 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+// The stages of the default policy up to the smooth base: neighbours, bands, rims, holes, interpolation.
+
+#include "include/engine_samples.h"
+
+#include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Point_grid.h>
+#include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
+#include <CGAL/Context_completion_3/internal/Rim_detection.h>
+#include <CGAL/Context_completion_3/internal/Surface_band.h>
+#include <CGAL/Context_completion_3/internal/Surface_model.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <vector>
+
+using namespace CGAL::Context_completions_3::internal;
+namespace samples = Test_surfaces;
+
+namespace {
+
+typedef Surface_model<CGAL::Sequential_tag> Model;
+typedef Detected_hole<CGAL::Sequential_tag> Detected;
+
+std::vector<Vector> random_points(std::size_t number, unsigned int seed, double size = 1)
+{
+  samples::Random_offsets offset(seed);
+  std::vector<Vector> points;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const double x = offset(), y = offset(), z = offset();
+    points.push_back(size * Vector(x, y, z));
+  }
+  return points;
+}
+
+// value and gradient of a field at each centre
+Eigen::MatrixXd field_data(const std::vector<Vector>& centers, const std::function<double(const Vector&)>& value,
+                           const std::function<Vector(const Vector&)>& gradient)
+{
+  Eigen::MatrixXd data(4 * Eigen::Index(centers.size()), 1);
+  for(std::size_t i = 0; i < centers.size(); ++i)
+  {
+    data(4 * Eigen::Index(i), 0) = value(centers[i]);
+    data.block<3, 1>(4 * Eigen::Index(i) + 1, 0) = gradient(centers[i]);
+  }
+  return data;
+}
+
+double wave(const Vector& p) { return std::sin(0.8 * p.x()) * std::cos(0.5 * p.y()) + 0.3 * p.z() * p.x(); }
+
+Vector wave_gradient(const Vector& p)
+{
+  return Vector(0.8 * std::cos(0.8 * p.x()) * std::cos(0.5 * p.y()) + 0.3 * p.z(),
+                -0.5 * std::sin(0.8 * p.x()) * std::sin(0.5 * p.y()), 0.3 * p.x());
+}
+
+// points on a lattice, many at equal distances, each third one twice
+std::vector<Vector> lattice_with_duplicates(int n)
+{
+  std::vector<Vector> points;
+  for(int x = 0; x < n; ++x)
+    for(int y = 0; y < n; ++y)
+      for(int z = 0; z < n; ++z)
+        points.push_back(Vector(x, y, z));
+  for(std::size_t i = 0; i < std::size_t(n * n * n); i += 3)
+    points.push_back(points[i]);
+  return points;
+}
+
+std::vector<Neighbor_search::Neighbor> sorted_neighbors(const std::vector<Vector>& points, const Vector& q)
+{
+  std::vector<Neighbor_search::Neighbor> all;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    all.emplace_back(i, (points[i] - q).norm());
+  std::stable_sort(all.begin(), all.end(), [](const Neighbor_search::Neighbor& a, const Neighbor_search::Neighbor& b)
+    { return a.second < b.second; });
+  return all;
+}
+
+std::vector<Detected> detected(const Model& model)
+{
+  std::vector<Detected> holes;
+  EXPECT_TRUE(Hole_detection<CGAL::Sequential_tag>(model).run(holes, std::function<bool(double)>()));
+  return holes;
+}
+
+std::size_t number_of_closed(const std::vector<Detected>& holes)
+{
+  return std::size_t(std::count_if(holes.begin(), holes.end(), [](const Detected& h) { return !h.is_outer_border; }));
+}
+
+} // namespace
+
+TEST(Polyharmonic_base, Reproduces_affine_fields)
+{
+  const Vector slope(0.3, -0.7, 1.1);
+  const auto value = [&](const Vector& p) { return 2. + slope.dot(p); };
+  const auto gradient = [&](const Vector&) { return slope; };
+  const std::vector<Vector> centers = random_points(40, 1, 10.), queries = random_points(50, 2, 15.);
+  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
+  {
+    const Polyharmonic_base base(centers, kernel, 10.);
+    const Eigen::VectorXd c = base.solve(field_data(centers, value, gradient)).col(0);
+    for(const Vector& q : queries)
+    {
+      Vector g;
+      EXPECT_NEAR(base.value(q, c, g), value(q), 1e-6);
+      EXPECT_LT((g - slope).norm(), 1e-6);
+    }
+  }
+}
+
+TEST(Polyharmonic_base, Quintic_reproduces_quadratic_fields)
+{
+  Matrix a;
+  a << 1, 0.2, -0.3, 0.2, -2, 0.5, -0.3, 0.5, 0.7;
+  const auto value = [&](const Vector& p) { return p.dot(a * p) + p.x() - 3.; };
+  const auto gradient = [&](const Vector& p) { return Vector(2 * a * p + Vector::UnitX()); };
+  const std::vector<Vector> centers = random_points(40, 3), queries = random_points(50, 4, 1.5);
+  const Polyharmonic_base base(centers, Polyharmonic_base::quintic, 1.);
+  const Eigen::VectorXd c = base.solve(field_data(centers, value, gradient)).col(0);
+  for(const Vector& q : queries)
+  {
+    Vector g;
+    EXPECT_NEAR(base.value(q, c, g), value(q), 1e-6);
+    EXPECT_LT((g - gradient(q)).norm(), 1e-5);
+  }
+}
+
+TEST(Polyharmonic_base, Plane_around_a_hole_gives_the_plane)
+{
+  const Vector normal = Vector(1, 2, 3).normalized(), u = normal.unitOrthogonal(), v = normal.cross(u);
+  std::vector<Vector> centers;
+  for(int i = 0; i < 40; ++i)
+  {
+    const double angle = 2 * samples::pi * i / 20., radius = i < 20 ? 5. : 6.5;
+    centers.push_back(Vector(100, -50, 20) + radius * (std::cos(angle) * u + std::sin(angle) * v));
+  }
+  const Polyharmonic_base base(centers, Polyharmonic_base::cubic, 5.);
+  const Eigen::VectorXd c = base.solve(field_data(centers, [](const Vector&) { return 0.; },
+                                                  [&](const Vector&) { return normal; })).col(0);
+  for(const Vector& offset : random_points(50, 5, 5.))
+  {
+    const Vector q = Vector(100, -50, 20) + offset;
+    Vector g;
+    EXPECT_NEAR(base.value(q, c, g), normal.dot(offset), 1e-6);
+    EXPECT_LT((g - normal).norm(), 1e-6);
+  }
+}
+
+TEST(Polyharmonic_base, Interpolates_values_and_gradients_at_its_centers)
+{
+  const std::vector<Vector> centers = random_points(60, 6, 4.);
+  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
+  {
+    const Polyharmonic_base base(centers, kernel, 4.);
+    const Eigen::VectorXd c = base.solve(field_data(centers, wave, wave_gradient)).col(0);
+    for(const Vector& p : centers)
+    {
+      Vector g;
+      EXPECT_NEAR(base.value(p, c, g), wave(p), 1e-7);
+      EXPECT_LT((g - wave_gradient(p)).norm(), 1e-6);
+    }
+  }
+}
+
+TEST(Polyharmonic_base, Gradient_and_basis_agree_with_the_value)
+{
+  const std::vector<Vector> centers = random_points(30, 7, 4.);
+  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
+  {
+    const Polyharmonic_base base(centers, kernel, 4.);
+    const Eigen::VectorXd c = base.solve(field_data(centers, wave, wave_gradient)).col(0);
+    for(const Vector& q : random_points(20, 8, 4.))
+    {
+      Vector g;
+      const double value = base.value(q, c, g), step = 1e-4;
+      Eigen::RowVectorXd row;
+      base.basis(q, row);
+      EXPECT_NEAR(row * c, value, 1e-9);
+      for(int k = 0; k < 3; ++k)
+      {
+        const double above = base.value(q + step * Vector::Unit(k), c), below = base.value(q - step * Vector::Unit(k), c);
+        EXPECT_NEAR((above - below) / (2 * step), g[k], 1e-5);
+      }
+    }
+  }
+}
+
+TEST(Polyharmonic_base, Left_out_equals_a_base_without_the_group)
+{
+  const std::vector<Vector> centers = random_points(40, 9, 3.);
+  const Eigen::MatrixXd data = field_data(centers, wave, wave_gradient);
+  const std::vector<std::vector<std::size_t> > groups =
+    { {7}, {1, 2, 3, 20}, {0, 39}, {10, 11, 12, 13, 14, 15, 16, 17} };
+  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
+    for(const double noise : { 0., 0.01 })
+    {
+      const Polyharmonic_base base(centers, kernel, 3., noise, noise);
+      const std::vector<Eigen::VectorXd> residuals = base.left_out(groups, data.col(0));
+      ASSERT_EQ(residuals.size(), groups.size());
+      for(std::size_t k = 0; k < groups.size(); ++k)
+      {
+        std::vector<Vector> others;
+        for(std::size_t i = 0; i < centers.size(); ++i)
+          if(std::find(groups[k].begin(), groups[k].end(), i) == groups[k].end())
+            others.push_back(centers[i]);
+        const Polyharmonic_base rest(others, kernel, 3., noise, noise);
+        const Eigen::VectorXd c = rest.solve(field_data(others, wave, wave_gradient)).col(0);
+        ASSERT_EQ(residuals[k].size(), Eigen::Index(4 * groups[k].size()));
+        for(std::size_t a = 0; a < groups[k].size(); ++a)
+        {
+          const Vector& p = centers[groups[k][a]];
+          Vector g;
+          const double value = rest.value(p, c, g);
+          EXPECT_NEAR(residuals[k][4 * Eigen::Index(a)], wave(p) - value, 1e-6);
+          EXPECT_LT((residuals[k].segment<3>(4 * Eigen::Index(a) + 1) - (wave_gradient(p) - g)).norm(), 1e-5);
+        }
+      }
+    }
+}
+
+TEST(Membrane, Interpolates_and_keeps_constants)
+{
+  const std::vector<Vector> centers = random_points(50, 10, 2.);
+  const Membrane membrane(centers, 2.);
+  Eigen::MatrixXd values(50, 2);
+  for(Eigen::Index i = 0; i < 50; ++i)
+  {
+    values(i, 0) = wave(centers[std::size_t(i)]);
+    values(i, 1) = 3.5;
+  }
+  const Eigen::MatrixXd c = membrane.solve(values);
+  Eigen::RowVectorXd row;
+  for(Eigen::Index i = 0; i < 50; ++i)
+  {
+    membrane.basis(centers[std::size_t(i)], row);
+    EXPECT_NEAR(row * c.col(0), values(i, 0), 1e-10);
+  }
+  for(const Vector& q : random_points(20, 11, 3.))
+  {
+    membrane.basis(q, row);
+    EXPECT_NEAR(row * c.col(1), 3.5, 1e-10);
+  }
+}
+
+TEST(Point_grid, Equals_brute_force)
+{
+  std::vector<Vector> points = random_points(400, 12, 3.);
+  points.insert(points.end(), points.begin(), points.begin() + 20);
+  Point_grid grid(0.7);
+  for(const Vector& p : points)
+    grid.insert(p);
+  ASSERT_EQ(grid.number_of_points(), points.size());
+  for(const Vector& q : random_points(50, 13, 3.5))
+    for(const double radius : { 0., 0.3, 0.7, 2.5 })
+    {
+      std::set<std::size_t> found, expected;
+      grid.for_each_in_ball(q, radius, [&](std::size_t i, double distance) {
+        EXPECT_EQ(distance, (points[i] - q).norm());
+        EXPECT_TRUE(found.insert(i).second);
+        return true; });
+      for(std::size_t i = 0; i < points.size(); ++i)
+        if((points[i] - q).norm() <= radius)
+          expected.insert(i);
+      EXPECT_EQ(found, expected);
+    }
+  std::size_t visited = 0;
+  grid.for_each_in_ball(Vector::Zero(), 100., [&](std::size_t, double) { return ++visited < 5; });
+  EXPECT_EQ(visited, 5u);
+}
+
+TEST(Neighbor_search, Equals_brute_force_on_scattered_points)
+{
+  const std::vector<Vector> points = random_points(500, 14, 3.);
+  const Neighbor_search search(points);
+  for(const Vector& q : random_points(60, 15, 3.5))
+  {
+    const std::vector<Neighbor_search::Neighbor> expected = sorted_neighbors(points, q);
+    std::vector<Neighbor_search::Neighbor> found;
+    for(const std::size_t k : { 1u, 2u, 13u, 500u, 700u })
+    {
+      search.k_nearest(q, k, found);
+      ASSERT_EQ(found.size(), (std::min)(k, points.size()));
+      for(std::size_t i = 0; i < found.size(); ++i)
+      {
+        EXPECT_EQ(found[i].first, expected[i].first);
+        EXPECT_NEAR(found[i].second, expected[i].second, 1e-12);
+      }
+    }
+    EXPECT_EQ(search.nearest(q).first, expected[0].first);
+    std::vector<std::size_t> ball, in_ball;
+    search.in_ball(q, 1.2, ball);
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if((points[i] - q).norm() <= 1.2)
+        in_ball.push_back(i);
+    EXPECT_EQ(ball, in_ball);
+  }
+}
+
+TEST(Neighbor_search, Finds_duplicates_and_points_at_equal_distances)
+{
+  const std::vector<Vector> points = lattice_with_duplicates(7);
+  const Neighbor_search search(points);
+  for(const Vector& q : { Vector(3, 3, 3), Vector(0, 0, 0), Vector(2.5, 2.5, 2.5), Vector(1, 2.5, 4) })
+  {
+    const std::vector<Neighbor_search::Neighbor> expected = sorted_neighbors(points, q);
+    std::vector<Neighbor_search::Neighbor> found;
+    for(const std::size_t k : { 1u, 2u, 5u, 9u, 20u, 60u })
+    {
+      search.k_nearest(q, k, found);
+      ASSERT_EQ(found.size(), k);
+      std::set<std::size_t> indices;
+      for(std::size_t i = 0; i < k; ++i)
+      {
+        EXPECT_EQ(found[i].second, expected[i].second);
+        EXPECT_EQ(found[i].second, (points[found[i].first] - q).norm());
+        EXPECT_TRUE(indices.insert(found[i].first).second);
+        if(i > 0 && found[i - 1].second == found[i].second)
+        {
+          EXPECT_LT(found[i - 1].first, found[i].first);
+        }
+      }
+      // nearer than the last one all are determined
+      for(std::size_t i = 0; i < k && expected[i].second < found.back().second; ++i)
+        EXPECT_EQ(found[i].first, expected[i].first);
+    }
+  }
+}
+
+TEST(Neighbor_search, Balls_hold_duplicates_and_their_boundary)
+{
+  const std::vector<Vector> points = lattice_with_duplicates(7);
+  const Neighbor_search search(points);
+  for(const double radius : { 0., 1., 2. })
+  {
+    std::vector<std::size_t> ball, expected;
+    search.in_ball(Vector(3, 3, 3), radius, ball);
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if((points[i] - Vector(3, 3, 3)).norm() <= radius)
+        expected.push_back(i);
+    EXPECT_EQ(ball, expected) << "radius " << radius;
+  }
+}
+
+TEST(Neighbor_search, Knows_that_there_is_nothing)
+{
+  const Neighbor_search search((std::vector<Vector>()));
+  EXPECT_EQ(search.nearest(Vector::Zero()).first, 0u);
+  std::vector<std::size_t> ball(3, 1);
+  search.in_ball(Vector::Zero(), 10., ball);
+  EXPECT_TRUE(ball.empty());
+}
+
+TEST(Surface_band, Leaves_out_the_far_side_of_a_thin_slab)
+{
+  const samples::Samples upper = samples::plane(24);
+  samples::Samples slab = upper;
+  for(const samples::Oriented_point& s : samples::plane(24, 1., 0.15, 2))
+    slab.emplace_back(s.first - samples::Vector(0, 0, 0.4), -s.second);
+  const Surface_points points = samples::engine_points(slab);
+  const Model model(points);
+  std::vector<std::size_t> rim;
+  for(std::size_t i = 0; i < upper.size(); ++i)
+    if(points.position[i].x() < 1)
+      rim.push_back(i);
+  const double width = 8;
+  const std::vector<Band_point> band = surface_band(model, rim, width);
+  std::set<std::size_t> inside;
+  for(std::size_t k = 0; k < band.size(); ++k)
+  {
+    EXPECT_LT(band[k].index, upper.size());
+    EXPECT_LE(band[k].distance, width);
+    if(k > 0)
+    {
+      EXPECT_LE(band[k - 1].distance, band[k].distance);
+    }
+    EXPECT_TRUE(inside.insert(band[k].index).second);
+  }
+  // paths over links are at most a sixth longer than straight ones on a triangular lattice, plus the jitter
+  for(std::size_t i = 0; i < upper.size(); ++i)
+    if(points.position[i].x() < 0.7 * width)
+    {
+      EXPECT_EQ(inside.count(i), 1u) << points.position[i].transpose();
+    }
+}
+
+TEST(Rim_detection, Closed_sphere_has_no_rim)
+{
+  for(const std::size_t n : { 500u, 3000u, 10000u })
+  {
+    const Surface_points points = samples::engine_points(samples::sphere(n, 10.));
+    const Model model(points);
+    EXPECT_TRUE(Rim_detection<CGAL::Sequential_tag>(model).loops().empty()) << n << " points";
+  }
+}
+
+TEST(Rim_detection, Sheet_with_hole_has_two_loops)
+{
+  const Surface_points points = samples::engine_points(samples::plane_with_hole());
+  const Model model(points);
+  const std::vector<Rim_loop> loops = Rim_detection<CGAL::Sequential_tag>(model).loops();
+  ASSERT_EQ(loops.size(), 2u);
+  const std::size_t inner = loops[0].diameter < loops[1].diameter ? 0 : 1;
+  const Rim_loop& hole = loops[inner], &border = loops[1 - inner];
+  const Vector center(16, 16, 0);
+  EXPECT_LT((hole.center - center).norm(), 1.);
+  EXPECT_NEAR(hole.diameter, 9., 1.5);
+  EXPECT_GT(hole.opening(points, center), 0.7);
+  for(const Rim_point& p : hole.points)
+  {
+    EXPECT_LT((points.position[p.index] - center).norm(), 4. + 1.5);
+    EXPECT_NEAR(p.outward.norm(), 1., 1e-9);
+  }
+  EXPECT_GT(hole.points.size(), 18u);
+  EXPECT_GT(border.diameter, 40.);
+  EXPECT_LT(border.opening(points, border.center), -0.5);
+}
+
+TEST(Hole_detection, Sheet_with_hole_has_one_hole)
+{
+  for(const samples::Samples& sheet : { samples::plane_with_hole(), samples::bumpy_plane_with_hole() })
+  {
+    const Surface_points points = samples::engine_points(sheet);
+    const Model model(points);
+    const std::vector<Detected> holes = detected(model);
+    ASSERT_EQ(number_of_closed(holes), 1u);
+    for(const Detected& h : holes)
+      if(h.is_outer_border)
+      {
+        EXPECT_GT(h.loops.front().diameter, 30.);
+      }
+      else
+      {
+        ASSERT_TRUE(h.patch != nullptr);
+        EXPECT_TRUE(h.patch->is_closed());
+        EXPECT_EQ(h.loops.size(), 1u);
+        EXPECT_NEAR(h.patch->diameter(), 9., 2.);
+        EXPECT_GT(h.patch->number_of_uncovered(), 15u);
+      }
+  }
+}
+
+TEST(Hole_detection, Intact_surfaces_have_no_hole)
+{
+  for(const samples::Samples& surface : { samples::plane(32), samples::bumpy_plane(48, 1., 8., 1.),
+                                          samples::sphere(3000, 15.5), samples::bumpy_sphere(5000, 20., 1., 8.) })
+  {
+    const Surface_points points = samples::engine_points(surface);
+    const Model model(points);
+    EXPECT_EQ(number_of_closed(detected(model)), 0u);
+  }
+}
+
+TEST(Hole_detection, Cap_at_the_pole_of_a_sphere_is_one_hole)
+{
+  const double radius = 15.5;   // spacing about 1
+  for(const double cut : { 3., 4., 6., 9. })
+  {
+    const Surface_points points = samples::engine_points(
+      samples::without_ball(samples::sphere(3000, radius), samples::Point(0, 0, radius), cut));
+    const Model model(points);
+    const std::vector<Detected> holes = detected(model);
+    ASSERT_EQ(holes.size(), 1u) << "cut " << cut;
+    EXPECT_FALSE(holes[0].is_outer_border) << "cut " << cut;
+    ASSERT_TRUE(holes[0].patch != nullptr);
+    EXPECT_EQ(holes[0].loops.size(), 1u) << "cut " << cut;
+    EXPECT_GE(holes[0].patch->number_of_uncovered(), 4u) << "cut " << cut;
+    for(const Base_sample& s : holes[0].patch->samples())
+      EXPECT_NEAR(s.position.norm(), radius, 0.2) << "cut " << cut;
+  }
+}
+
+TEST(Hole_detection, Tube_cut_through_is_one_hole_with_two_rims)
+{
+  const double radius = 48. / (2 * samples::pi);   // spacing 1
+  const samples::Samples tube = samples::cylinder(48, 60, radius);
+  const double middle = 30 * std::sqrt(0.75);
+  samples::Samples rest;
+  for(const samples::Oriented_point& s : tube)
+    if(std::abs(s.first.z() - middle) > 4)
+      rest.push_back(s);
+  const Surface_points points = samples::engine_points(rest);
+  const Model model(points);
+  std::size_t number_of_cuts = 0;
+  for(const Detected& h : detected(model))
+  {
+    bool is_at_cut = false;
+    for(const Rim_loop& loop : h.loops)
+      is_at_cut = is_at_cut || std::abs(loop.center.z() - middle) < 8;
+    if(!is_at_cut)
+      continue;
+    ++number_of_cuts;
+    EXPECT_FALSE(h.is_outer_border);
+    ASSERT_EQ(h.loops.size(), 2u);
+    EXPECT_LT((h.loops[0].center.z() - middle) * (h.loops[1].center.z() - middle), 0.);
+    ASSERT_TRUE(h.patch != nullptr);
+    for(const Base_sample& s : h.patch->samples())
+    {
+      EXPECT_LT(std::abs(s.position.z() - middle), 5.5);
+      EXPECT_NEAR(s.position.head<2>().norm(), radius, 0.5);
+    }
+  }
+  EXPECT_EQ(number_of_cuts, 1u);
+}
