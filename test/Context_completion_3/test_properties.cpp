@@ -109,8 +109,9 @@ Index nearest_old_point(const Point_set& points, const std::vector<Index>& old_p
 
 TEST(Properties, Travel_from_the_source)
 {
-  for(const samples::Samples& surface : { samples::bumpy_plane_with_hole(), samples::plane_with_hole() })
+  for(const bool is_bumpy : { true, false })
   {
+    const samples::Samples surface = is_bumpy ? samples::bumpy_plane_with_hole() : samples::plane_with_hole();
     Point_set points = samples::point_set(surface);
     add_properties(points);
     const Point_set_snapshot<Point_set> before(points);
@@ -144,7 +145,8 @@ TEST(Properties, Travel_from_the_source)
       EXPECT_EQ(color[i], CGAL::IO::Color((unsigned char)(s % 251), (unsigned char)(s % 83), 9));
       EXPECT_NEAR(points.normal(i).squared_length(), 1., 1e-12);
     }
-    EXPECT_GT(number_of_copies, 0u);
+    // on a plane nothing is worth copying: its new points take after their nearest neighbours
+    EXPECT_EQ(number_of_copies > 0, is_bumpy);
   }
 }
 

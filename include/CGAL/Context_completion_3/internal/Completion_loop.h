@@ -75,10 +75,7 @@ public:
       }
       m_policy.end_level(level);
       if(m_policy.is_last_level(level))
-      {
-        report(level, 1, 1);  // nothing is left to be cancelled
-        return true;
-      }
+        return report(level, 1, 1);
     }
   }
 
