@@ -35,8 +35,12 @@ namespace internal {
   Smooth continuations of what is known around a hole, from interpolating to strongly smoothing: as operators from data at
   the centres (value and gradient over the base of the patch, 4 numbers a centre) to heights at its samples.
 
+  Each is a trend (polyharmonic, with more or less noise) plus what the trend misses at the centres, which either is made
+  up close to the rim or goes on as a random field with a Matern covariance of some range (simple kriging).
+
   None is best everywhere: interpolation wins on clean smooth surfaces, and carries the slope of noise and relief far into
-  the hole elsewhere. So each predicts sectors of the surroundings from the others, and is weighted by what it reached.
+  the hole elsewhere. So they are weighted by what they reach on fake holes, or, where there are too few of those, by how
+  well each predicts sectors of the surroundings from the others.
 */
 template <typename ConcurrencyTag>
 class Base_family
@@ -45,35 +49,39 @@ class Base_family
 
   struct Member
   {
-    double value_noise = 0, gradient_noise = 0;
-    bool is_membrane = false;            // what the base misses at the rim is spread as a membrane, else it fades out
-    Polyharmonic_base base;
+    double value_noise = 0, gradient_noise = 0;   // of the trend: variances in units of the hole's radius
+    double range = 0;                    // of the rest, in radii; 0: it fades out within a few spacings of the rim
+    Polyharmonic_base trend;
     Eigen::MatrixXd basis;               // samples x coefficients
-    Eigen::MatrixXd rim_basis;           // rim centres x coefficients
+    Eigen::MatrixXd center_basis;        // centres of the rest x coefficients
+    Eigen::MatrixXd rest;                // samples x centres of the rest
     Eigen::VectorXd offset;              // height of this base over that of the patch
-    Eigen::VectorXd missed;              // known surface over this base, at the rim
-    double error = 0;                    // of the prediction of sectors
-    double weight = 0;
+    Eigen::VectorXd missed;              // known surface over the trend, at the centres of the rest
+    double sector_error = 0;
   };
 
 public:
   explicit Base_family(const Patch& patch) : m_patch(patch)
   {
     for(std::size_t i = 0; i < patch.centers().size(); ++i)
+    {
+      m_all.push_back(i);
       if(patch.centers()[i].distance < 1.6 * patch.spacing())
         m_rim.push_back(i);
+    }
     prepare_correction();
     prepare_membrane();
-    // variances of values and slopes, in units of the hole's radius; whether a membrane takes up the rest
-    const double noise[][3] = {{0, 0, 0}, {0.01, 10, 0}, {0.1, 100, 0}, {1, 300, 0}, {1, 300, 1}, {10, 3000, 1}};
-    m_members.resize(6);
+    const double settings[][3] = {{0, 0, 0}, {0.01, 10, 0}, {0.1, 100, 0}, {1, 300, 0},
+                                  {1, 300, 0.1}, {1, 300, 0.2}, {1, 300, 0.4}, {10, 3000, 0.4}};
     std::vector<std::size_t> indices;
-    for(std::size_t m = 0; m < m_members.size(); ++m)
+    for(const double* setting : settings)
     {
-      m_members[m].value_noise = noise[m][0];
-      m_members[m].gradient_noise = noise[m][1];
-      m_members[m].is_membrane = noise[m][2] > 0;
-      indices.push_back(m);
+      Member member;
+      member.value_noise = setting[0];
+      member.gradient_noise = setting[1];
+      member.range = setting[2];
+      indices.push_back(m_members.size());
+      m_members.push_back(member);
     }
     const std::vector<std::vector<std::size_t> > groups = sectors();
     CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t m) -> bool
@@ -81,25 +89,56 @@ public:
       prepare(m_members[m], groups);
       return true;
     });
-    weigh();
   }
 
-  /// Heights of the smooth continuation, for the known surface displaced by each column of `data`: the weighted median of
-  /// the members, so that a single one cannot run away.
-  Eigen::MatrixXd smooth(const Eigen::MatrixXd& data) const
+  std::size_t size() const { return m_members.size(); }
+
+  /// Heights that member `m` continues the known surface with, displaced by each column of `data`.
+  Eigen::MatrixXd heights(std::size_t m, const Eigen::MatrixXd& data) const
   {
-    std::vector<Eigen::MatrixXd> heights;
-    for(const Member& m : m_members)
-      heights.push_back(spread(m, data).colwise() + m.offset);
+    const Member& member = m_members[m];
+    const Eigen::MatrixXd coefficients = member.trend.solve(data);
+    const Eigen::MatrixXd rest = values_at(rest_centers(member), data) - member.center_basis * coefficients;
+    return (member.basis * coefficients + member.rest * rest).colwise() + member.offset;
+  }
+
+  /// Weights for `combine()` from an error of each member.
+  static std::vector<double> weights(const std::vector<double>& errors, double floor, double power)
+  {
+    std::vector<double> result;
+    const double least = *std::min_element(errors.begin(), errors.end());
+    double total = 0;
+    for(double e : errors)
+    {
+      result.push_back(std::pow((e + floor) / (least + floor), -power));
+      total += result.back();
+    }
+    for(double& w : result)
+      w /= total;
+    return result;
+  }
+
+  /// The weighted median of the members, sample by sample, so that a single one cannot run away.
+  static Eigen::MatrixXd combine(const std::vector<Eigen::MatrixXd>& heights, const std::vector<double>& weights)
+  {
     Eigen::MatrixXd result(heights[0].rows(), heights[0].cols());
-    std::vector<std::pair<double, double> > sorted(m_members.size());
+    std::vector<std::pair<double, double> > sorted(heights.size());
     for(Eigen::Index c = 0; c < result.cols(); ++c)
       for(Eigen::Index r = 0; r < result.rows(); ++r)
       {
-        for(std::size_t m = 0; m < m_members.size(); ++m)
-          sorted[m] = std::make_pair(heights[m](r, c), m_members[m].weight);
+        for(std::size_t m = 0; m < heights.size(); ++m)
+          sorted[m] = std::make_pair(heights[m](r, c), weights[m]);
         result(r, c) = weighted_median(sorted);
       }
+    return result;
+  }
+
+  /// Mean error of each member in the prediction of sectors of the surroundings; kriging inherits that of its trend.
+  std::vector<double> sector_errors() const
+  {
+    std::vector<double> result;
+    for(const Member& m : m_members)
+      result.push_back(m.sector_error);
     return result;
   }
 
@@ -109,15 +148,12 @@ public:
     return m_membrane * values_at(m_rim, data);
   }
 
-  /// Mean error of the prediction of sectors of the surroundings.
-  double sector_error() const { return m_sector_error; }
-
   /// Root mean square of what a smoothed base misses at the rim, for the known surface displaced by each column of
   /// `data`: how rough the surroundings are.
   Eigen::VectorXd roughness(const Eigen::MatrixXd& data) const
   {
     const Member& m = m_members[2];
-    const Eigen::MatrixXd left = values_at(m_rim, data) - m.rim_basis * m.base.solve(data);
+    const Eigen::MatrixXd left = values_at(m_rim, data) - m.center_basis * m.trend.solve(data);
     Eigen::VectorXd result(data.cols());
     for(Eigen::Index k = 0; k < data.cols(); ++k)
       result[k] = std::sqrt((m.missed + left.col(k)).squaredNorm() / double(m.missed.size()));
@@ -154,13 +190,7 @@ private:
     return values.back().first;
   }
 
-  Eigen::MatrixXd spread(const Member& m, const Eigen::MatrixXd& data) const
-  {
-    const Eigen::MatrixXd coefficients = m.base.solve(data);
-    return m.basis * coefficients + correction(m) * (values_at(m_rim, data) - m.rim_basis * coefficients);
-  }
-
-  const Eigen::MatrixXd& correction(const Member& m) const { return m.is_membrane ? m_membrane : m_correction; }
+  const std::vector<std::size_t>& rest_centers(const Member& m) const { return m.range > 0 ? m_all : m_rim; }
 
   // A smoothed base misses the rim; what it misses is made up within a few spacings.
   void prepare_correction()
@@ -197,36 +227,58 @@ private:
     }
   }
 
+  // Simple kriging: what is missed at all centres, as a random field of Matern 3/2 covariance with a small nugget.
+  Eigen::MatrixXd kriging(double range) const
+  {
+    const auto covariance = [&](const Vector& p, const Vector& q) {
+      const double r = (p - q).norm() / (range * m_patch.scale());
+      return (1 + r) * std::exp(-r); };
+    const Eigen::Index n = Eigen::Index(m_patch.centers().size()), j = Eigen::Index(m_patch.samples().size());
+    Eigen::MatrixXd a(n, n), b(j, n);
+    for(Eigen::Index i = 0; i < n; ++i)
+    {
+      const Vector& c = m_patch.centers()[std::size_t(i)].position;
+      for(Eigen::Index k = 0; k < n; ++k)
+        a(i, k) = covariance(c, m_patch.centers()[std::size_t(k)].position);
+      a(i, i) += 0.02;
+      for(Eigen::Index s = 0; s < j; ++s)
+        b(s, i) = covariance(c, m_patch.samples()[std::size_t(s)].position);
+    }
+    return a.ldlt().solve(b.transpose()).transpose();
+  }
+
   void prepare(Member& m, const std::vector<std::vector<std::size_t> >& groups) const
   {
     std::vector<Vector> positions;
     for(const Base_center& c : m_patch.centers())
       positions.push_back(c.position);
-    m.base = Polyharmonic_base(positions, Polyharmonic_base::cubic, m_patch.scale(), m.value_noise, m.gradient_noise);
+    m.trend = Polyharmonic_base(positions, m_patch.scale(), m.value_noise, m.gradient_noise);
+    m.rest = m.range > 0 ? kriging(m.range) : m_correction;
     const Eigen::MatrixXd data = m_patch.normal_data();
-    const Eigen::VectorXd coefficients = m.base.solve(data).col(0);
-    const Eigen::Index n = Eigen::Index(m_patch.samples().size()), r = Eigen::Index(m_rim.size());
+    const Eigen::VectorXd coefficients = m.trend.solve(data).col(0);
+    const std::vector<std::size_t>& centers = rest_centers(m);
+    const Eigen::Index n = Eigen::Index(m_patch.samples().size()), r = Eigen::Index(centers.size());
     Eigen::RowVectorXd row;
     m.basis.resize(n, coefficients.size());
     m.offset.resize(n);
     for(Eigen::Index s = 0; s < n; ++s)
     {
       const Base_sample& sample = m_patch.samples()[std::size_t(s)];
-      m.base.basis(sample.position, row);
+      m.trend.basis(sample.position, row);
       m.basis.row(s) = row;
-      m.offset[s] = height(m.base, coefficients, sample.position, sample.normal);
+      m.offset[s] = height(m.trend, coefficients, sample.position, sample.normal);
     }
-    m.rim_basis.resize(r, coefficients.size());
+    m.center_basis.resize(r, coefficients.size());
     m.missed.resize(r);
     for(Eigen::Index i = 0; i < r; ++i)
     {
-      const Base_center& c = m_patch.centers()[m_rim[std::size_t(i)]];
-      m.base.basis(c.position, row);
-      m.rim_basis.row(i) = row;
-      m.missed[i] = -height(m.base, coefficients, c.position, c.normal);
+      const Base_center& c = m_patch.centers()[centers[std::size_t(i)]];
+      m.trend.basis(c.position, row);
+      m.center_basis.row(i) = row;
+      m.missed[i] = -height(m.trend, coefficients, c.position, c.normal);
     }
-    m.offset += correction(m) * m.missed;
-    m.error = prediction_error(m, groups, data.col(0));
+    m.offset += m.rest * m.missed;
+    m.sector_error = prediction_error(m, groups, data.col(0));
   }
 
   // Height of the zero set over `x` along `normal`, by Newton's method on the line.
@@ -274,20 +326,16 @@ private:
   double prediction_error(const Member& m, const std::vector<std::vector<std::size_t> >& groups,
                           const Eigen::VectorXd& data) const
   {
-    const std::vector<Eigen::VectorXd> residuals = m.base.left_out(groups, data);
+    const std::vector<Eigen::VectorXd> residuals = m.trend.left_out(groups, data);
     const double limit = 0.3 * m_patch.scale();
     double sum = 0;
     std::size_t count = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
     {
-      Eigen::VectorXd rest = Eigen::VectorXd::Zero(Eigen::Index(groups[g].size()));
-      if(m.is_membrane)
-        rest = membrane_without(groups[g], m.missed);
       for(std::size_t i = 0; i < groups[g].size(); ++i)
         if(m_patch.centers()[groups[g][i]].distance < 0.35 * m_patch.scale())
         {
-          // a datum of value 0 below its prediction lies above the zero set
-          const double d = std::abs(-residuals[g][4 * Eigen::Index(i)] - rest[Eigen::Index(i)]);
+          const double d = std::abs(residuals[g][4 * Eigen::Index(i)]);
           sum += d < limit ? d : limit;
           ++count;
         }
@@ -295,54 +343,11 @@ private:
     return count > 0 ? sum / double(count) : limit;
   }
 
-  // The membrane through what is missed at the rim outside the group, at the centres of the group.
-  Eigen::VectorXd membrane_without(const std::vector<std::size_t>& group, const Eigen::VectorXd& missed) const
-  {
-    std::vector<Vector> positions;
-    std::vector<double> values;
-    for(std::size_t i = 0; i < m_rim.size(); ++i)
-      if(std::find(group.begin(), group.end(), m_rim[i]) == group.end())
-      {
-        positions.push_back(m_patch.centers()[m_rim[i]].position);
-        values.push_back(missed[Eigen::Index(i)]);
-      }
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(group.size()));
-    if(positions.size() < 3)
-      return result;
-    const Membrane membrane(positions, m_patch.scale());
-    const Eigen::VectorXd weights =
-      membrane.solve(Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size()))).col(0);
-    Eigen::RowVectorXd row;
-    for(std::size_t i = 0; i < group.size(); ++i)
-    {
-      membrane.basis(m_patch.centers()[group[i]].position, row);
-      result[Eigen::Index(i)] = row.dot(weights);
-    }
-    return result;
-  }
-
-  void weigh()
-  {
-    double total = 0;
-    for(Member& m : m_members)
-    {
-      m.weight = std::pow(m.error + 1e-3 * m_patch.spacing(), -4.);
-      total += m.weight;
-    }
-    m_sector_error = 0;
-    for(Member& m : m_members)
-    {
-      m.weight /= total;
-      m_sector_error += m.weight * m.error;
-    }
-  }
-
   const Patch& m_patch;
-  std::vector<std::size_t> m_rim;
+  std::vector<std::size_t> m_all, m_rim;   // indices of centres
   Eigen::MatrixXd m_correction;         // samples x rim: fades out within a few spacings
   Eigen::MatrixXd m_membrane;
   std::vector<Member> m_members;
-  double m_sector_error = 0;
 };
 
 } // namespace internal

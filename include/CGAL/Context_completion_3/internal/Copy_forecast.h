@@ -17,6 +17,8 @@
 #include <CGAL/Context_completion_3/internal/Base_family.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 
+#include <CGAL/for_each.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -33,7 +35,7 @@ namespace internal {
 struct Filling_plan
 {
   std::size_t places = 0;    ///< so many best places are averaged; 0: smooth
-  double share = 0;          ///< of their relief that is added
+  double share = 0;          ///< of their relief that is added, 0 to 1
 };
 
 /// A plan and its error on the fake holes.
@@ -49,6 +51,10 @@ struct Plan_forecast
   outline; all plans fill it from the other places; the truth is known there. What fills the fake holes best fills the
   hole, and the error made there is the error to expect.
 
+  How much of a copy to believe depends on how well its surroundings match: all of it at no mismatch, nothing of a bad
+  match. Where the one turns into the other is learnt from the fake holes (`Trust`), so a hole whose twin was found is
+  filled from the twin even if the fake holes have none.
+
   The hole itself is place `target`. All places are seen as heights over the one base of the hole, so a fake hole costs
   no more than a few sums.
 */
@@ -57,19 +63,29 @@ class Copy_forecast
 {
   typedef Smooth_patch<ConcurrencyTag> Patch;
 
+  // share = 1 / (1 + (mismatch / scale)^3)
+  struct Trust
+  {
+    double scale = 0;
+    double share(double mismatch) const
+    {
+      const double r = mismatch / scale;
+      return 1 / (1 + r * r * r);
+    }
+  };
+
 public:
   static constexpr std::size_t target = static_cast<std::size_t>(-1);
 
   Copy_forecast(const Patch& patch, const Base_family<ConcurrencyTag>& family, const std::vector<Place>& places,
                 const std::vector<Place_relief>& reliefs, double radius)
-    : m_patch(patch), m_places(places), m_reliefs(reliefs), m_radius(radius), m_sector_error(family.sector_error())
+    : m_patch(patch), m_places(places), m_reliefs(reliefs), m_radius(radius)
   {
     // the hole is the last column: nothing but the known surface
     const std::size_t n = places.size();
     Eigen::MatrixXd rim = Eigen::MatrixXd::Zero(4 * Eigen::Index(patch.centers().size()), Eigen::Index(n) + 1);
     for(std::size_t c = 0; c < n; ++c)
       rim.col(Eigen::Index(c)) = reliefs[c].rim;
-    m_smooth = family.smooth(rim);
     m_membrane = family.membrane(rim);
     m_roughness = family.roughness(rim);
     m_mismatch = Eigen::MatrixXd::Zero(Eigen::Index(n) + 1, Eigen::Index(n));
@@ -79,6 +95,8 @@ public:
     for(std::size_t i = 0; i < n; ++i)
       m_ranking.push_back(rank(i));
     m_ranking.push_back(rank(target));
+    choose_judges();
+    combine_bases(family, rim);
   }
 
   /// The places by how well they match the hole around it.
@@ -96,88 +114,159 @@ public:
   /// All plans with their forecasts, the smooth one first.
   std::vector<Plan_forecast> forecasts() const
   {
-    const std::vector<std::size_t> judges = fake_holes();
-    std::vector<Plan_forecast> result;
-    for(const Filling_plan& plan : plans())
+    std::vector<Plan_forecast> result(1);
+    if(m_judges.size() < fewest_judges())
+    {
+      result[0].error = 1.3 * m_sector_error;
+      result[0].upper = 2 * m_sector_error;
+      return result;
+    }
+    std::vector<double> errors;
+    for(std::size_t k : m_judges)
+      errors.push_back(fake_error(Filling_plan(), k));
+    extrapolate(errors, result[0]);
+    for(std::size_t places : {1, 2, 4, 8})
     {
       Plan_forecast forecast;
-      forecast.plan = plan;
-      if(judges.size() >= 3)
-        extrapolate(judges, plan, forecast);
-      else if(plan.places > 0)
+      forecast.plan.places = places;
+      const Trust trust = learn_trust(places, errors);
+      forecast.plan.share = trust.share(joint_mismatch(places, target));
+      if(forecast.plan.share < least_share())
         continue;
-      else
-      {
-        forecast.error = 1.3 * m_sector_error;
-        forecast.upper = 2 * m_sector_error;
-      }
+      extrapolate(errors, forecast);
       result.push_back(forecast);
     }
     return result;
   }
 
 private:
-  static std::vector<Filling_plan> plans()
+  static std::size_t fewest_judges() { return 3; }
+  static double least_share() { return 0.15; }
+
+  // Places that serve as fake holes: the best matching ones that are fully there. Worse matches count less.
+  void choose_judges()
   {
-    std::vector<Filling_plan> all(1);
-    for(std::size_t places : {1, 2, 4, 8})
-      for(double share : {1., 0.7})
-      {
-        Filling_plan plan;
-        plan.places = places;
-        plan.share = share;
-        all.push_back(plan);
-      }
-    return all;
+    for(std::size_t k : ranking())
+      if(m_reliefs[k].coverage > 0.9 && !m_ranking[k].empty() && m_judges.size() < 16)
+        m_judges.push_back(k);
+    double total = 0;
+    for(std::size_t k : m_judges)
+    {
+      m_judge_weights.push_back(1 / (0.05 + match(k)));
+      total += m_judge_weights.back();
+    }
+    for(double& w : m_judge_weights)
+      w /= total;
   }
 
-  // Places that serve as fake holes: the best matching ones that are fully there.
-  std::vector<std::size_t> fake_holes() const
+  // The smooth base of the hole and of all fake holes.
+  void combine_bases(const Base_family<ConcurrencyTag>& family, const Eigen::MatrixXd& rim)
   {
-    std::vector<std::size_t> result;
-    for(std::size_t k : ranking())
-      if(m_reliefs[k].coverage > 0.9 && !m_ranking[k].empty() && result.size() < 16)
-        result.push_back(k);
-    return result;
+    const double floor = 0.005 * m_patch.spacing();
+    std::vector<Eigen::MatrixXd> heights(family.size());
+    std::vector<double> errors(family.size(), 0.);
+    std::vector<std::size_t> indices;
+    for(std::size_t m = 0; m < family.size(); ++m)
+      indices.push_back(m);
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t m) -> bool
+    {
+      heights[m] = family.heights(m, rim);
+      for(std::size_t i = 0; i < m_judges.size(); ++i)
+        errors[m] += m_judge_weights[i] * std::log(error(heights[m].col(column(m_judges[i])), m_judges[i]) + floor);
+      errors[m] = std::exp(errors[m]);
+      return true;
+    });
+    const std::vector<double> sector_errors = family.sector_errors();
+    // the geometric mean over the fake holes: one that is quite different must not decide
+    const std::vector<double> weights = m_judges.size() < fewest_judges() ? family.weights(sector_errors, floor, 4)
+                                                                          : family.weights(errors, floor, 8);
+    m_smooth = family.combine(heights, weights);
+    m_sector_error = 0;
+    for(std::size_t m = 0; m < weights.size(); ++m)
+      m_sector_error += weights[m] * sector_errors[m];
+  }
+
+  // The scale of mismatch at which copies of so many places are half believed: what fills the fake holes best, each by
+  // its own mismatch,
+  // relative to what can be had there. `errors` receives what is reached on them.
+  Trust learn_trust(std::size_t places, std::vector<double>& errors) const
+  {
+    const double prior = 0.08, smallest = 0.004, largest = 1;
+    const int steps = 24;
+    std::vector<double> mismatches, ends;
+    for(std::size_t k : m_judges)
+    {
+      mismatches.push_back(joint_mismatch(places, k));
+      ends.push_back(0.02 * m_patch.spacing());
+      for(double share : {0., 1.})
+        ends.back() += fake_error(plan_of(places, share), k);
+    }
+    Trust best;
+    double least = 0;
+    for(int step = 0; step < steps; ++step)
+    {
+      Trust trust;
+      trust.scale = smallest * std::pow(largest / smallest, step / double(steps - 1));
+      const double from_prior = std::log(trust.scale / prior);
+      double loss = 0.01 * from_prior * from_prior;
+      std::vector<double> made;
+      for(std::size_t i = 0; i < m_judges.size(); ++i)
+      {
+        made.push_back(fake_error(plan_of(places, trust.share(mismatches[i])), m_judges[i]));
+        loss += m_judge_weights[i] * 2 * made.back() / ends[i];
+      }
+      if(step == 0 || loss < least)
+      {
+        least = loss;
+        best = trust;
+        errors = made;
+      }
+    }
+    return best;
+  }
+
+  static Filling_plan plan_of(std::size_t places, double share)
+  {
+    Filling_plan plan;
+    plan.places = places;
+    plan.share = share;
+    return plan;
   }
 
   // Fake holes differ from the hole: another one may be rougher around, or have found better examples. The errors made
   // there are carried to the hole along a power law, errors of the smooth base with the roughness of the surroundings,
   // errors of a copy with the mismatch (see `predictor()`); its exponent is fitted, with 1 as the prior.
-  void extrapolate(const std::vector<std::size_t>& judges, const Filling_plan& plan, Plan_forecast& forecast) const
+  void extrapolate(const std::vector<double>& errors, Plan_forecast& forecast) const
   {
     const double floor = 0.01 * m_patch.spacing();
-    std::vector<double> x, y, w;
-    double total = 0, mean_x = 0, mean_y = 0;
-    for(std::size_t k : judges)
+    const std::vector<double>& w = m_judge_weights;
+    std::vector<double> x, y;
+    double mean_x = 0, mean_y = 0;
+    for(std::size_t i = 0; i < m_judges.size(); ++i)
     {
-      x.push_back(predictor(plan, k));
-      y.push_back(std::log(fake_error(plan, k) + floor));
-      w.push_back(1 / (0.05 + match(k)));
-      total += w.back();
-      mean_x += w.back() * x.back();
-      mean_y += w.back() * y.back();
+      x.push_back(predictor(forecast.plan, m_judges[i]));
+      y.push_back(std::log(errors[i] + floor));
+      mean_x += w[i] * x.back();
+      mean_y += w[i] * y.back();
     }
-    mean_x /= total;
-    mean_y /= total;
     double xx = 0, xy = 0;
     for(std::size_t i = 0; i < x.size(); ++i)
     {
-      xx += w[i] / total * (x[i] - mean_x) * (x[i] - mean_x);
-      xy += w[i] / total * (x[i] - mean_x) * (y[i] - mean_y);
+      xx += w[i] * (x[i] - mean_x) * (x[i] - mean_x);
+      xy += w[i] * (x[i] - mean_x) * (y[i] - mean_y);
     }
     const double prior = 1, strength = 0.1;
     const double slope = (std::max)(0., (std::min)(1., (xy + strength * prior) / (xx + strength)));
-    const double step = (std::max)(-1.5, (std::min)(1.5, predictor(plan, target) - mean_x));
+    const double step = (std::max)(-1.5, (std::min)(1.5, predictor(forecast.plan, target) - mean_x));
     double spread = 0;
     for(std::size_t i = 0; i < x.size(); ++i)
     {
       const double d = y[i] - mean_y - slope * (x[i] - mean_x);
-      spread += w[i] / total * d * d;
+      spread += w[i] * d * d;
     }
     const double center = mean_y + slope * step;
     forecast.error = std::exp(center) - floor;
-    forecast.upper = std::exp(center + std::sqrt(spread + 0.04)) - floor;
+    forecast.upper = std::exp(center + std::sqrt(spread + 0.06)) - floor;
   }
 
   double predictor(const Filling_plan& plan, std::size_t k) const
@@ -185,31 +274,34 @@ private:
     const double h = m_patch.spacing();
     if(plan.places == 0)
       return std::log(0.02 * h + m_roughness[column(k)]);
-    return std::log(0.02 * h + h * std::sqrt(joint_mismatch(plan, k)));
+    return std::log(0.02 * h + h * std::sqrt(joint_mismatch(plan.places, k)));
   }
 
-  double joint_mismatch(const Filling_plan& plan, std::size_t k) const
+  double joint_mismatch(std::size_t places, std::size_t k) const
   {
     const std::vector<std::size_t>& order = m_ranking[std::size_t(column(k))];
-    const std::size_t used = (std::min)(plan.places, order.size());
+    const std::size_t used = (std::min)(places, order.size());
     double inverse = 0;
     for(std::size_t r = 0; r < used; ++r)
       inverse += 1 / (1e-6 + mismatch(k, order[r]));
     return double(used) / inverse;
   }
 
-  double fake_error(const Filling_plan& plan, std::size_t k) const
+  double fake_error(const Filling_plan& plan, std::size_t k) const { return error(predict(plan, k), k); }
+
+  // mean distance of predicted heights from place `k`
+  double error(const Eigen::VectorXd& prediction, std::size_t k) const
   {
-    const Eigen::VectorXd prediction = predict(plan, k);
+    const double limit = 0.3 * m_radius;
     double sum = 0;
     std::size_t count = 0;
     for(Eigen::Index s = 0; s < prediction.size(); ++s)
       if(m_reliefs[k].is_covered[std::size_t(s)])
       {
-        sum += (std::min)(std::abs(prediction[s] - m_reliefs[k].height[s]), 0.3 * m_radius);
+        sum += (std::min)(std::abs(prediction[s] - m_reliefs[k].height[s]), limit);
         ++count;
       }
-    return count > 0 ? sum / double(count) : 0.3 * m_radius;
+    return count > 0 ? sum / double(count) : limit;
   }
 
   Eigen::VectorXd predict(const Filling_plan& plan, std::size_t k) const
@@ -270,7 +362,9 @@ private:
   std::vector<Place> m_places;
   std::vector<Place_relief> m_reliefs;
   double m_radius;
-  double m_sector_error;
+  double m_sector_error = 0;
+  std::vector<std::size_t> m_judges;                  // fake holes
+  std::vector<double> m_judge_weights;                // parallel to it, of sum 1
   Eigen::MatrixXd m_smooth, m_membrane;               // samples x places, the hole last
   Eigen::VectorXd m_roughness;                        // per place, the hole last
   Eigen::MatrixXd m_mismatch;                         // (places, the hole last) x places

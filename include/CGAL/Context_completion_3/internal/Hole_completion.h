@@ -88,14 +88,6 @@ public:
     for(const Plan_forecast& f : forecasts)
       if(f.error < match.chosen.error * (match.chosen.plan.places == 0 ? copy_margin() : 1.))
         match.chosen = f;
-    // among nearly equal forecasts a whole copy is crisper than a part of one
-    if(match.chosen.plan.share < 1)
-      for(const Plan_forecast& f : forecasts)
-        if(f.plan.places == match.chosen.plan.places && f.plan.share == 1 && f.error < whole_margin() * match.chosen.error)
-        {
-          match.chosen = f;
-          break;
-        }
     return match;
   }
 
@@ -119,7 +111,7 @@ public:
       if(chosen.plan.places > 0 || (is_textured && relief.coverage > 0.9))
       {
         place = &match.places[best];
-        const bool is_whole = chosen.plan.places == 1 && chosen.plan.share == 1;
+        const bool is_whole = chosen.plan.places == 1 && chosen.plan.share > 0.9;
         // beyond the plan, the place has its texture or, if its amplitude is negligible, its crispness
         displacement = is_whole ? match.forecast->fitting(best)
                                 : is_textured || amplitude < 0.25 * chosen.error ? coarse : difference;
@@ -178,8 +170,7 @@ public:
 
 private:
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
-  static double copy_margin() { return 0.95; }
-  static double whole_margin() { return 1.1; }
+  static double copy_margin() { return 0.92; }
 
   // What is finer than a few spacings may stay with the carried points as their texture; the plan decides the rest. It is
   // worth its price in distance where there is some, and where it is small against the error to be expected anyway.

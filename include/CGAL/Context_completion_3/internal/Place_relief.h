@@ -208,8 +208,7 @@ private:
       const Base_center& c = centers[std::size_t(i)];
       Surface_element fit;
       const Vector axis = place.motion.inverse_normal(c.normal);
-      if(!model.quadratic_fit(place.motion.inverse(c.position), axis, 3 * m_patch.area_spacing(), fit, buffer,
-                              inside))
+      if(!model.quadratic_fit(place.motion.inverse(c.position), axis, m_patch.fit_radius(), fit, buffer, inside))
         continue;
       const double facing = fit.normal.dot(axis);
       const double height = axis.dot(fit.position - place.motion.inverse(c.position));

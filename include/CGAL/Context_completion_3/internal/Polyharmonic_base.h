@@ -27,30 +27,27 @@ namespace internal {
 
 /*!
   Polyharmonic Hermite interpolation: a function with given values and gradients at scattered centres, kernel |x|^3 with
-  a linear polynomial or |x|^5 with a quadratic one. Its zero set, for values 0 and gradients equal to the normals, is
-  the smooth base over a hole, of any topology; with other right hand sides the same factorisation spreads displacements
-  from the rim over the hole.
+  a linear polynomial. Its zero set, for values 0 and gradients equal to the normals, is the smooth base over a hole, of
+  any topology; with other right hand sides the same factorisation spreads displacements from the rim over the hole.
 */
 class Polyharmonic_base
 {
 public:
-  enum Kernel { cubic = 3, quintic = 5 };
-
   Polyharmonic_base() {}
 
   /*!
-    \param centers positions, at least one \param kernel see above
+    \param centers positions, at least one
     \param scale a length of the size of the hole: the unit of the computation
     \param value_noise, gradient_noise variances of the data in units of `scale`, relative to the kernel's amplitude;
     0: interpolation
   */
-  Polyharmonic_base(const std::vector<Vector>& centers, Kernel kernel, double scale, double value_noise = 0,
+  Polyharmonic_base(const std::vector<Vector>& centers, double scale, double value_noise = 0,
                     double gradient_noise = 0)
-    : m_kernel(kernel), m_scale(scale), m_origin(centers.front())
+    : m_scale(scale), m_origin(centers.front())
   {
     for(const Vector& c : centers)
       m_centers.push_back((c - m_origin) / m_scale);
-    const Eigen::Index n = Eigen::Index(m_centers.size()), p = terms(), size = 4 * n + p;
+    const Eigen::Index n = Eigen::Index(m_centers.size()), p = terms, size = 4 * n + p;
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
     for(Eigen::Index i = 0; i < n; ++i)
     {
@@ -63,12 +60,10 @@ public:
         a.block<3, 1>(4 * i + 1, 4 * j) = gradient;
         a.block<3, 3>(4 * i + 1, 4 * j + 1) = -hessian;
       }
-      // |x|^3 is conditionally positive of even order, |x|^5 of odd order: the sign of the noise follows
-      const double sign = kernel == cubic ? 1. : -1.;
-      a(4 * i, 4 * i) += sign * value_noise;
+      a(4 * i, 4 * i) += value_noise;
       for(Eigen::Index k = 1; k < 4; ++k)
-        a(4 * i + k, 4 * i + k) += sign * gradient_noise;
-      double q[10]; Vector g[10];
+        a(4 * i + k, 4 * i + k) += gradient_noise;
+      double q[terms]; Vector g[terms];
       polynomial(m_centers[i], q, g);
       for(Eigen::Index k = 0; k < p; ++k)
       {
@@ -88,7 +83,7 @@ public:
   Eigen::MatrixXd solve(const Eigen::MatrixXd& data) const
   {
     const Eigen::Index n = Eigen::Index(m_centers.size());
-    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(4 * n + terms(), data.cols());
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(4 * n + terms, data.cols());
     right.topRows(4 * n) = data;
     for(Eigen::Index i = 0; i < n; ++i)
       right.middleRows(4 * i + 1, 3) *= m_scale;
@@ -142,26 +137,18 @@ public:
     Vector slope = Vector::Zero();
     for(Eigen::Index j = 0; j < n; ++j)
     {
-      // phi = r^k, its gradient k r^(k-2) d, its Hessian k r^(k-2) I + k (k-2) r^(k-4) d d^T
+      // phi = r^3, its gradient 3 r d, its Hessian 3 r I + 3 / r d d^T
       const Vector d = y - m_centers[j];
       const double r2 = d.squaredNorm(), r = std::sqrt(r2);
       const double alpha = c[4 * j];
       const Vector beta = c.segment<3>(4 * j + 1);
       const double db = d.dot(beta);
-      if(m_kernel == cubic)
-      {
-        sum += alpha * r2 * r - 3 * r * db;
-        slope += (3 * r * alpha - (r > 0 ? 3 * db / r : 0.)) * d - 3 * r * beta;
-      }
-      else
-      {
-        sum += alpha * r2 * r2 * r - 5 * r2 * r * db;
-        slope += (5 * r2 * r * alpha - 15 * r * db) * d - 5 * r2 * r * beta;
-      }
+      sum += alpha * r2 * r - 3 * r * db;
+      slope += (3 * r * alpha - (r > 0 ? 3 * db / r : 0.)) * d - 3 * r * beta;
     }
-    double q[10]; Vector g[10];
+    double q[terms]; Vector g[terms];
     polynomial(y, q, g);
-    for(int k = 0; k < terms(); ++k)
+    for(int k = 0; k < terms; ++k)
     {
       sum += c[4 * n + k] * q[k];
       slope += c[4 * n + k] * g[k];
@@ -175,40 +162,31 @@ public:
   {
     const Vector y = (x - m_origin) / m_scale;
     const Eigen::Index n = Eigen::Index(m_centers.size());
-    row.resize(4 * n + terms());
+    row.resize(4 * n + terms);
     for(Eigen::Index j = 0; j < n; ++j)
     {
       const Vector d = y - m_centers[j];
       const double r2 = d.squaredNorm(), r = std::sqrt(r2);
-      row[4 * j] = m_kernel == cubic ? r2 * r : r2 * r2 * r;
-      row.segment<3>(4 * j + 1) = -(m_kernel == cubic ? 3 * r : 5 * r2 * r) * d.transpose();
+      row[4 * j] = r2 * r;
+      row.segment<3>(4 * j + 1) = -3 * r * d.transpose();
     }
-    double q[10]; Vector g[10];
+    double q[terms]; Vector g[terms];
     polynomial(y, q, g);
-    for(int k = 0; k < terms(); ++k)
+    for(int k = 0; k < terms; ++k)
       row[4 * n + k] = q[k];
   }
 
 private:
-  int terms() const { return m_kernel == cubic ? 4 : 10; }
+  static constexpr int terms = 4;   // of the polynomial
 
   void derivatives(const Vector& d, double& value, Vector& gradient, Matrix& hessian) const
   {
     const double r = d.norm();
-    if(m_kernel == cubic)
-    {
-      value = r * r * r;
-      gradient = 3 * r * d;
-      hessian = 3 * r * Matrix::Identity();
-      if(r > 0)
-        hessian += (3 / r) * d * d.transpose();
-    }
-    else
-    {
-      value = r * r * r * r * r;
-      gradient = 5 * r * r * r * d;
-      hessian = 5 * r * r * r * Matrix::Identity() + 15 * r * d * d.transpose();
-    }
+    value = r * r * r;
+    gradient = 3 * r * d;
+    hessian = 3 * r * Matrix::Identity();
+    if(r > 0)
+      hessian += (3 / r) * d * d.transpose();
   }
 
   void polynomial(const Vector& y, double* q, Vector* g) const
@@ -219,18 +197,8 @@ private:
       q[1 + k] = y[k];
       g[1 + k] = Vector::Unit(k);
     }
-    if(m_kernel == cubic)
-      return;
-    int t = 4;
-    for(int k = 0; k < 3; ++k)
-      for(int l = k; l < 3; ++l, ++t)
-      {
-        q[t] = y[k] * y[l];
-        g[t] = y[l] * Vector::Unit(k) + y[k] * Vector::Unit(l);
-      }
   }
 
-  Kernel m_kernel = cubic;
   double m_scale = 1;
   Vector m_origin = Vector::Zero();
   std::vector<Vector> m_centers;

@@ -79,13 +79,14 @@ public:
     m_spacing = median(spacings);
     m_area_spacing = median(area_spacings);
     m_band = surface_band(model, m_rim, band_width());
+    choose_fit_radius();
     choose_centers();
     if(m_centers.size() < 4)
       return;
     std::vector<Vector> positions;
     for(const Base_center& c : m_centers)
       positions.push_back(c.position);
-    m_base = std::make_unique<Polyharmonic_base>(positions, Polyharmonic_base::cubic, scale());
+    m_base = std::make_unique<Polyharmonic_base>(positions, scale());
     m_coefficients = m_base->solve(normal_data()).col(0);
     project_band();
     grow();
@@ -102,6 +103,9 @@ public:
   double spacing() const { return m_spacing; }
   double area_spacing() const { return m_area_spacing; }
   double diameter() const { return m_diameter; }
+
+  /// Radius of the local fits to the surroundings: larger where these are noisy.
+  double fit_radius() const { return m_fit_radius; }
 
   /// Whether the base ends at the rim everywhere; otherwise it runs off to infinity: an outer border.
   bool is_closed() const { return m_is_closed; }
@@ -159,6 +163,35 @@ private:
 
   double band_width() const { return (std::max)(5 * m_area_spacing, 0.45 * m_diameter); }
 
+  // The radius whose fits best predict points that they do not know: noise asks for a large one, relief for a small one.
+  void choose_fit_radius()
+  {
+    const std::size_t most = 150, step = m_band.size() / most + 1;
+    std::vector<std::size_t> buffer;
+    double least = 0;
+    for(double factor : {3., 4., 5.})
+    {
+      const double radius = factor * m_area_spacing;
+      double sum = 0;
+      std::size_t number = 0;
+      for(std::size_t b = 0; b < m_band.size(); b += step)
+      {
+        const std::size_t i = m_band[b].index;
+        Surface_element fit;
+        if(!m_model.quadratic_fit(m_model.position(i), m_model.normal(i), radius, fit, buffer, {i}))
+          continue;
+        sum += std::abs((m_model.position(i) - fit.position).dot(m_model.normal(i)));
+        ++number;
+      }
+      const double error = number > 0 ? sum / double(number) : 0.;
+      if(factor == 3. || error < 0.99 * least)
+      {
+        least = error;
+        m_fit_radius = radius;
+      }
+    }
+  }
+
   // Dense near the rim, thinner away from it; the number bounds the dense system.
   void choose_centers()
   {
@@ -204,8 +237,6 @@ private:
       m_centers.push_back(center);
     }
   }
-
-  double fit_radius() const { return 3 * m_area_spacing; }
 
   // What is covered is decided on the base: relief of any height over it covers the place below.
   void project_band()
@@ -346,7 +377,7 @@ private:
   std::vector<std::size_t> m_footprint_index;
   std::vector<Base_sample> m_samples;
   std::vector<std::size_t> m_reached;
-  double m_spacing = 0, m_area_spacing = 0, m_diameter = 0;
+  double m_spacing = 0, m_area_spacing = 0, m_diameter = 0, m_fit_radius = 0;
   bool m_is_closed = false;
 };
 
