@@ -139,6 +139,18 @@ public:
     return result;
   }
 
+  /// What a plan misses on the fake holes: difference of the true heights from it, a column per fake hole.
+  Eigen::MatrixXd misses(const Filling_plan& plan) const
+  {
+    Eigen::MatrixXd result(m_smooth.rows(), Eigen::Index(m_judges.size()));
+    for(std::size_t i = 0; i < m_judges.size(); ++i)
+      result.col(Eigen::Index(i)) = m_reliefs[m_judges[i]].height - predict(plan, m_judges[i]);
+    return result;
+  }
+
+  /// Weights of the fake holes, of sum 1.
+  const std::vector<double>& judge_weights() const { return m_judge_weights; }
+
 private:
   static std::size_t fewest_judges() { return 3; }
   static double least_share() { return 0.15; }

@@ -24,6 +24,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -102,23 +103,34 @@ public:
     const Place* place = nullptr;
     if(!match.places.empty())
     {
-      const std::size_t best = match.forecast->ranking().front();
-      const Place_relief& relief = match.reliefs[best];
-      result.outcome.match = match.forecast->match(best);
-      const Eigen::VectorXd difference = heights - relief.height, coarse = low_pass(sampler, difference);
-      const double amplitude = root_mean_square(difference - coarse);
-      const bool is_textured = m_keep_texture && amplitude > 0.1 * patch.spacing() && amplitude < 0.85 * chosen.error;
-      if(chosen.plan.places > 0 || (is_textured && relief.coverage > 0.9))
+      const std::vector<std::size_t>& ranking = match.forecast->ranking();
+      result.outcome.match = match.forecast->match(ranking.front());
+      std::size_t best = ranking.front();
+      Texture texture;
+      if(m_keep_texture)
+        // with nothing else to copy, the texture may be that of a place that matches less well
+        for(std::size_t r = 0; r < ranking.size() && r < (chosen.plan.places > 0 ? 1 : most_textures()); ++r)
+        {
+          const Texture candidate = missing_texture(patch, match, heights - match.reliefs[ranking[r]].height);
+          if(match.reliefs[ranking[r]].coverage < 0.9 || !is_visible(candidate, chosen.error, patch.spacing()))
+            continue;
+          texture = candidate;
+          best = ranking[r];
+          break;
+        }
+      if(chosen.plan.places > 0 || texture.amplitude > 0)
       {
         place = &match.places[best];
         const bool is_whole = chosen.plan.places == 1 && chosen.plan.share > 0.9;
-        // beyond the plan, the place has its texture or, if its amplitude is negligible, its crispness
-        displacement = is_whole ? match.forecast->fitting(best)
-                                : is_textured || amplitude < 0.25 * chosen.error ? coarse : difference;
+        displacement = is_whole ? match.forecast->fitting(best) : heights - match.reliefs[best].height;
+        if(!is_whole && texture.amplitude > 0)
+          displacement -= texture.field;
       }
     }
     const Patch_transfer<ConcurrencyTag> transfer(m_known, patch, sampler, m_sources);
-    result.points = transfer.points(place, displacement, heights);
+    // a copy may overhang the base; a part of one, or a texture, has no reason to leave the plan
+    const double tolerance = chosen.plan.share > 0.9 ? sampler.height_limit() : 1.5 * patch.spacing();
+    result.points = transfer.points(place, displacement, heights, tolerance);
     result.outcome.filling = chosen.plan.places > 0 ? Filling::copied : Filling::smooth;
     result.outcome.expected_error = chosen.upper;
     result.outcome.reason = reason(chosen, match.smooth, patch.spacing(), match.places.size());
@@ -172,8 +184,67 @@ private:
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
   static double copy_margin() { return 0.92; }
 
-  // What is finer than a few spacings may stay with the carried points as their texture; the plan decides the rest. It is
-  // worth its price in distance where there is some, and where it is small against the error to be expected anyway.
+  struct Texture
+  {
+    Eigen::VectorXd field;               // height over the plan
+    double amplitude = 0;                // root mean square of it
+    double own = 0;                      // that of the place, before it was brought to what is missing
+  };
+
+  static std::size_t most_textures() { return 8; }
+
+  // Finer relief than 0.05 spacings cannot be told from an uneven sampling; texture that is random against the true one
+  // adds to the error, by a fifth at most below 0.7 of it; and a place with much more of it has another texture.
+  static bool is_visible(const Texture& texture, double error, double spacing)
+  {
+    return texture.amplitude > 0.05 * spacing && texture.amplitude < 0.7 * error &&
+           texture.amplitude > 0.4 * texture.own;
+  }
+
+  // What is finer than a few spacings may stay with the carried points as their texture, as far as the plan misses such
+  // relief: that is known from the fake holes, sample by sample. It begins a few spacings from the rim, as it does not fit
+  // what is there.
+  Texture missing_texture(const Patch& patch, const Match& match, const Eigen::VectorXd& difference) const
+  {
+    const Relief_sampler<ConcurrencyTag>& sampler = *match.sampler;
+    Eigen::MatrixXd missing = match.forecast->misses(match.chosen.plan);
+    for(Eigen::Index k = 0; k < missing.cols(); ++k)
+    {
+      const Eigen::VectorXd miss = missing.col(k);
+      missing.col(k) = low_pass(sampler, (miss - low_pass(sampler, miss)).cwiseAbs2());
+    }
+    Texture texture;
+    texture.field = difference - low_pass(sampler, difference);
+    texture.own = root_mean_square(texture.field);
+    const Eigen::VectorXd own = low_pass(sampler, texture.field.cwiseAbs2());
+    std::vector<std::pair<double, double> > variances(std::size_t(missing.cols()));
+    for(Eigen::Index s = 0; s < own.size(); ++s)
+    {
+      for(Eigen::Index k = 0; k < missing.cols(); ++k)
+        variances[std::size_t(k)] = std::make_pair(missing(s, k), match.forecast->judge_weights()[std::size_t(k)]);
+      const double variance = upper_median(variances);
+      const double distance = m_known.search().nearest(patch.samples()[std::size_t(s)].position).second / patch.spacing();
+      const double fade = (std::max)(0., (std::min)(1., (distance - 1) / 3));
+      texture.field[s] *= fade * (std::min)(1.25, std::sqrt(variance / (own[s] + 1e-300)));
+    }
+    texture.amplitude = root_mean_square(texture.field);
+    return texture;
+  }
+
+  // of pairs value, weight (of sum 1): fake holes at sharp features have outliers upwards
+  static double upper_median(std::vector<std::pair<double, double> >& values)
+  {
+    std::sort(values.begin(), values.end());
+    double below = 0;
+    for(const std::pair<double, double>& v : values)
+    {
+      below += v.second;
+      if(below >= 0.65)
+        return v.first;
+    }
+    return values.empty() ? 0. : values.back().first;
+  }
+
   static Eigen::VectorXd low_pass(const Relief_sampler<ConcurrencyTag>& sampler, Eigen::VectorXd field)
   {
     for(int round = 0; round < 4; ++round)

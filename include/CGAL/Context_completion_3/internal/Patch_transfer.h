@@ -57,21 +57,22 @@ public:
     \param place source, or null: smooth only
     \param displacement per sample, along its normal, for carried points
     \param heights per sample, for samples of the base that stand in where no source point came to lie
+    \param tolerance carried points that come to lie farther than this from `heights` are left out
   */
   std::vector<Added_point> points(const Place* place, const Eigen::VectorXd& displacement,
-                                  const Eigen::VectorXd& heights) const
+                                  const Eigen::VectorXd& heights, double tolerance) const
   {
     std::vector<Added_point> result;
     Point_grid grid(m_patch.spacing());
     if(place != nullptr)
-      carry(*place, displacement, grid, result);
+      carry(*place, displacement, heights, tolerance, grid, result);
     raise(place, heights, grid, result);
     return result;
   }
 
 private:
-  void carry(const Place& place, const Eigen::VectorXd& displacement, Point_grid& grid,
-             std::vector<Added_point>& result) const
+  void carry(const Place& place, const Eigen::VectorXd& displacement, const Eigen::VectorXd& heights, double tolerance,
+             Point_grid& grid, std::vector<Added_point>& result) const
   {
     const Source& source = m_sources[place.source];
     std::vector<std::size_t> indices;
@@ -91,6 +92,8 @@ private:
         continue;
       double shift; Vector gradient, direction;
       interpolate(foot.first, x, displacement, shift, gradient, direction);
+      if(std::abs(up + shift - heights[Eigen::Index(foot.first)]) > tolerance)
+        continue;
       point.position = x + shift * direction;
       point.normal = (point.normal - gradient * point.normal.dot(direction)).normalized();
       point.source = source.original_index(i);
