@@ -109,10 +109,12 @@ public:
   }
 
 private:
-  // a hole has room for some points between its rims
+  // A hole has room for some points between its rims, and these go around it: at least half of its circumference is
+  // found. Irregular samplings have groups of rim points that face each other over a covered place.
   static bool is_evident(const Patch& patch)
   {
-    return patch.number_of_uncovered() >= 4;
+    return patch.number_of_uncovered() >= 4 && patch.rim().size() >= 8 &&
+           double(patch.rim().size()) * patch.spacing() >= patch.diameter();
   }
 
   // the end of a tube is a ring
