@@ -95,6 +95,7 @@ private:
   static constexpr double probe_distance() { return 1.35; }
   static constexpr double probe_room() { return 1.1; }
   static constexpr double link() { return 2.7; }
+  static constexpr double fold_distance() { return 1.2; }
   static constexpr double largest_angle() { return 110. / 180. * 3.14159265358979323846; }
 
   Vector free_direction(std::size_t i) const
@@ -111,6 +112,9 @@ private:
         around.push_back(m_model.position(j));
         mean += around.back();
       }
+      // the surface goes on around an acute edge
+      else if((m_model.position(j) - p).norm() < fold_distance() * m_model.area_spacing(i))
+        return Vector::Zero();
     if(around.size() < 4)
       return Vector::Zero();
     mean /= double(around.size());
