@@ -13,6 +13,7 @@
 
 #include "include/engine_samples.h"
 
+#include <CGAL/Context_completion_3/internal/Base_family.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
@@ -37,6 +38,16 @@ namespace {
 
 typedef Surface_model<CGAL::Sequential_tag> Model;
 typedef Detected_hole<CGAL::Sequential_tag> Detected;
+typedef Base_family<CGAL::Sequential_tag> Family;
+
+struct Engine_points_and_model
+{
+  Surface_points points;
+  Model model;
+  explicit Engine_points_and_model(const samples::Samples& surface)
+    : points(samples::engine_points(surface)), model(points)
+  {}
+};
 
 std::vector<Vector> random_points(std::size_t number, unsigned int seed, double size = 1)
 {
@@ -114,33 +125,13 @@ TEST(Polyharmonic_base, Reproduces_affine_fields)
   const auto value = [&](const Vector& p) { return 2. + slope.dot(p); };
   const auto gradient = [&](const Vector&) { return slope; };
   const std::vector<Vector> centers = random_points(40, 1, 10.), queries = random_points(50, 2, 15.);
-  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
-  {
-    const Polyharmonic_base base(centers, kernel, 10.);
-    const Eigen::VectorXd c = base.solve(field_data(centers, value, gradient)).col(0);
-    for(const Vector& q : queries)
-    {
-      Vector g;
-      EXPECT_NEAR(base.value(q, c, g), value(q), 1e-6);
-      EXPECT_LT((g - slope).norm(), 1e-6);
-    }
-  }
-}
-
-TEST(Polyharmonic_base, Quintic_reproduces_quadratic_fields)
-{
-  Matrix a;
-  a << 1, 0.2, -0.3, 0.2, -2, 0.5, -0.3, 0.5, 0.7;
-  const auto value = [&](const Vector& p) { return p.dot(a * p) + p.x() - 3.; };
-  const auto gradient = [&](const Vector& p) { return Vector(2 * a * p + Vector::UnitX()); };
-  const std::vector<Vector> centers = random_points(40, 3), queries = random_points(50, 4, 1.5);
-  const Polyharmonic_base base(centers, Polyharmonic_base::quintic, 1.);
+  const Polyharmonic_base base(centers, 10.);
   const Eigen::VectorXd c = base.solve(field_data(centers, value, gradient)).col(0);
   for(const Vector& q : queries)
   {
     Vector g;
     EXPECT_NEAR(base.value(q, c, g), value(q), 1e-6);
-    EXPECT_LT((g - gradient(q)).norm(), 1e-5);
+    EXPECT_LT((g - slope).norm(), 1e-6);
   }
 }
 
@@ -153,7 +144,7 @@ TEST(Polyharmonic_base, Plane_around_a_hole_gives_the_plane)
     const double angle = 2 * samples::pi * i / 20., radius = i < 20 ? 5. : 6.5;
     centers.push_back(Vector(100, -50, 20) + radius * (std::cos(angle) * u + std::sin(angle) * v));
   }
-  const Polyharmonic_base base(centers, Polyharmonic_base::cubic, 5.);
+  const Polyharmonic_base base(centers, 5.);
   const Eigen::VectorXd c = base.solve(field_data(centers, [](const Vector&) { return 0.; },
                                                   [&](const Vector&) { return normal; })).col(0);
   for(const Vector& offset : random_points(50, 5, 5.))
@@ -168,38 +159,32 @@ TEST(Polyharmonic_base, Plane_around_a_hole_gives_the_plane)
 TEST(Polyharmonic_base, Interpolates_values_and_gradients_at_its_centers)
 {
   const std::vector<Vector> centers = random_points(60, 6, 4.);
-  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
+  const Polyharmonic_base base(centers, 4.);
+  const Eigen::VectorXd c = base.solve(field_data(centers, wave, wave_gradient)).col(0);
+  for(const Vector& p : centers)
   {
-    const Polyharmonic_base base(centers, kernel, 4.);
-    const Eigen::VectorXd c = base.solve(field_data(centers, wave, wave_gradient)).col(0);
-    for(const Vector& p : centers)
-    {
-      Vector g;
-      EXPECT_NEAR(base.value(p, c, g), wave(p), 1e-7);
-      EXPECT_LT((g - wave_gradient(p)).norm(), 1e-6);
-    }
+    Vector g;
+    EXPECT_NEAR(base.value(p, c, g), wave(p), 1e-7);
+    EXPECT_LT((g - wave_gradient(p)).norm(), 1e-6);
   }
 }
 
 TEST(Polyharmonic_base, Gradient_and_basis_agree_with_the_value)
 {
   const std::vector<Vector> centers = random_points(30, 7, 4.);
-  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
+  const Polyharmonic_base base(centers, 4.);
+  const Eigen::VectorXd c = base.solve(field_data(centers, wave, wave_gradient)).col(0);
+  for(const Vector& q : random_points(20, 8, 4.))
   {
-    const Polyharmonic_base base(centers, kernel, 4.);
-    const Eigen::VectorXd c = base.solve(field_data(centers, wave, wave_gradient)).col(0);
-    for(const Vector& q : random_points(20, 8, 4.))
+    Vector g;
+    const double value = base.value(q, c, g), step = 1e-4;
+    Eigen::RowVectorXd row;
+    base.basis(q, row);
+    EXPECT_NEAR(row * c, value, 1e-9);
+    for(int k = 0; k < 3; ++k)
     {
-      Vector g;
-      const double value = base.value(q, c, g), step = 1e-4;
-      Eigen::RowVectorXd row;
-      base.basis(q, row);
-      EXPECT_NEAR(row * c, value, 1e-9);
-      for(int k = 0; k < 3; ++k)
-      {
-        const double above = base.value(q + step * Vector::Unit(k), c), below = base.value(q - step * Vector::Unit(k), c);
-        EXPECT_NEAR((above - below) / (2 * step), g[k], 1e-5);
-      }
+      const double above = base.value(q + step * Vector::Unit(k), c), below = base.value(q - step * Vector::Unit(k), c);
+      EXPECT_NEAR((above - below) / (2 * step), g[k], 1e-5);
     }
   }
 }
@@ -210,31 +195,30 @@ TEST(Polyharmonic_base, Left_out_equals_a_base_without_the_group)
   const Eigen::MatrixXd data = field_data(centers, wave, wave_gradient);
   const std::vector<std::vector<std::size_t> > groups =
     { {7}, {1, 2, 3, 20}, {0, 39}, {10, 11, 12, 13, 14, 15, 16, 17} };
-  for(const Polyharmonic_base::Kernel kernel : { Polyharmonic_base::cubic, Polyharmonic_base::quintic })
-    for(const double noise : { 0., 0.01 })
+  for(const double noise : { 0., 0.01 })
+  {
+    const Polyharmonic_base base(centers, 3., noise, noise);
+    const std::vector<Eigen::VectorXd> residuals = base.left_out(groups, data.col(0));
+    ASSERT_EQ(residuals.size(), groups.size());
+    for(std::size_t k = 0; k < groups.size(); ++k)
     {
-      const Polyharmonic_base base(centers, kernel, 3., noise, noise);
-      const std::vector<Eigen::VectorXd> residuals = base.left_out(groups, data.col(0));
-      ASSERT_EQ(residuals.size(), groups.size());
-      for(std::size_t k = 0; k < groups.size(); ++k)
+      std::vector<Vector> others;
+      for(std::size_t i = 0; i < centers.size(); ++i)
+        if(std::find(groups[k].begin(), groups[k].end(), i) == groups[k].end())
+          others.push_back(centers[i]);
+      const Polyharmonic_base rest(others, 3., noise, noise);
+      const Eigen::VectorXd c = rest.solve(field_data(others, wave, wave_gradient)).col(0);
+      ASSERT_EQ(residuals[k].size(), Eigen::Index(4 * groups[k].size()));
+      for(std::size_t a = 0; a < groups[k].size(); ++a)
       {
-        std::vector<Vector> others;
-        for(std::size_t i = 0; i < centers.size(); ++i)
-          if(std::find(groups[k].begin(), groups[k].end(), i) == groups[k].end())
-            others.push_back(centers[i]);
-        const Polyharmonic_base rest(others, kernel, 3., noise, noise);
-        const Eigen::VectorXd c = rest.solve(field_data(others, wave, wave_gradient)).col(0);
-        ASSERT_EQ(residuals[k].size(), Eigen::Index(4 * groups[k].size()));
-        for(std::size_t a = 0; a < groups[k].size(); ++a)
-        {
-          const Vector& p = centers[groups[k][a]];
-          Vector g;
-          const double value = rest.value(p, c, g);
-          EXPECT_NEAR(residuals[k][4 * Eigen::Index(a)], wave(p) - value, 1e-6);
-          EXPECT_LT((residuals[k].segment<3>(4 * Eigen::Index(a) + 1) - (wave_gradient(p) - g)).norm(), 1e-5);
-        }
+        const Vector& p = centers[groups[k][a]];
+        Vector g;
+        const double value = rest.value(p, c, g);
+        EXPECT_NEAR(residuals[k][4 * Eigen::Index(a)], wave(p) - value, 1e-6);
+        EXPECT_LT((residuals[k].segment<3>(4 * Eigen::Index(a) + 1) - (wave_gradient(p) - g)).norm(), 1e-5);
       }
     }
+  }
 }
 
 TEST(Membrane, Interpolates_and_keeps_constants)
@@ -259,6 +243,67 @@ TEST(Membrane, Interpolates_and_keeps_constants)
     membrane.basis(q, row);
     EXPECT_NEAR(row * c.col(1), 3.5, 1e-10);
   }
+}
+
+TEST(Base_family, Weights_sum_to_one_and_prefer_small_errors)
+{
+  const std::vector<double> weights = Family::weights({ 0.5, 0.25, 1. }, 0., 4.);
+  ASSERT_EQ(weights.size(), 3u);
+  EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1., 1e-12);
+  EXPECT_NEAR(weights[1] / weights[0], 16., 1e-9);
+  EXPECT_NEAR(weights[1] / weights[2], 256., 1e-9);
+}
+
+TEST(Base_family, A_single_member_cannot_run_away_with_the_median)
+{
+  std::vector<Eigen::MatrixXd> heights(3, Eigen::MatrixXd::Constant(4, 2, 1.));
+  heights[2].setConstant(1e9);
+  const Eigen::MatrixXd combined = Family::combine(heights, { 0.35, 0.35, 0.3 });
+  EXPECT_LT(combined.maxCoeff(), 1e9 * 0.51);
+  EXPECT_NEAR(Family::combine(heights, { 0.5, 0.45, 0.05 }).maxCoeff(), 1., 1e-9);
+}
+
+TEST(Base_family, All_members_continue_a_plane_as_the_plane)
+{
+  const Engine_points_and_model plane(samples::plane_with_hole());
+  const std::vector<Detected> holes = detected(plane.model);
+  const auto hole = std::find_if(holes.begin(), holes.end(), [](const Detected& h) { return !h.is_outer_border; });
+  ASSERT_NE(hole, holes.end());
+  const Family family(*hole->patch);
+  const Eigen::MatrixXd nothing = Eigen::MatrixXd::Zero(4 * Eigen::Index(hole->patch->centers().size()), 1);
+  // the known surface lifted by a tenth: the plane is lifted, too
+  Eigen::MatrixXd lifted = nothing;
+  for(Eigen::Index i = 0; i < lifted.rows(); i += 4)
+    lifted(i, 0) = 0.1;
+  ASSERT_EQ(family.size(), family.sector_errors().size());
+  for(std::size_t m = 0; m < family.size(); ++m)
+  {
+    EXPECT_LT(family.heights(m, nothing).cwiseAbs().maxCoeff(), 1e-3) << "member " << m;
+    const Eigen::MatrixXd h = family.heights(m, lifted);
+    for(Eigen::Index s = 0; s < h.rows(); ++s)
+      EXPECT_NEAR(h(s, 0), 0.1, 1e-3) << "member " << m;
+    EXPECT_LT(family.sector_errors()[m], 1e-3) << "member " << m;
+  }
+}
+
+TEST(Smooth_patch, Noise_asks_for_a_larger_radius_of_the_fits)
+{
+  samples::Samples noisy = samples::plane_with_hole();
+  samples::Random_offsets offset(3);
+  for(samples::Oriented_point& s : noisy)
+    s.first = s.first + 0.4 * offset() * samples::Vector(0, 0, 1);
+  double radius[2];
+  int k = 0;
+  for(const samples::Samples& surface : { samples::bumpy_plane_with_hole(), noisy })
+  {
+    const Engine_points_and_model points(surface);
+    const std::vector<Detected> holes = detected(points.model);
+    const auto hole = std::find_if(holes.begin(), holes.end(), [](const Detected& h) { return !h.is_outer_border; });
+    ASSERT_NE(hole, holes.end());
+    radius[k++] = hole->patch->fit_radius() / hole->patch->area_spacing();
+  }
+  EXPECT_EQ(radius[0], 3.);
+  EXPECT_GT(radius[1], 3.);
 }
 
 TEST(Point_grid, Equals_brute_force)
@@ -467,6 +512,26 @@ TEST(Hole_detection, Intact_surfaces_have_no_hole)
     const Model model(points);
     EXPECT_EQ(number_of_closed(detected(model)), 0u);
   }
+}
+
+TEST(Hole_detection, Acute_edges_have_no_rim)
+{
+  // a wedge of 40 degrees: both faces end at a common edge, with normals that differ by 140 degrees
+  Surface_points wedge;
+  samples::Random_offsets offset(11);
+  const double slope = std::tan(20. / 180. * samples::pi);
+  for(int side = -1; side <= 1; side += 2)
+    for(int i = 0; i < 60; ++i)
+      for(int j = 0; j < 60; ++j)
+      {
+        const double x = i + 0.25 + 0.3 * offset(), y = j + 0.3 * offset();
+        wedge.push_back(Vector(x, y, side * slope * x), Vector(-slope, 0, side).normalized());
+      }
+  const Model model(wedge);
+  for(const Rim_loop& loop : Rim_detection<CGAL::Sequential_tag>(model).loops())
+    for(const Rim_point& p : loop.points)
+      EXPECT_GT(wedge.position[p.index].x() + std::abs(wedge.position[p.index].y() - 29.5), 26.)
+        << wedge.position[p.index].transpose();
 }
 
 TEST(Hole_detection, Cap_at_the_pole_of_a_sphere_is_one_hole)
