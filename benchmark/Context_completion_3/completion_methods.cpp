@@ -100,10 +100,18 @@ const Variant variants[] = {
     [](Engine_parameters& p) { p.mirror = false; } },
   { "few_candidates", "a shortlist of 100 places",
     [](Engine_parameters& p) { p.number_of_candidates = 100; } },
+  { "without_alignment", "places as the search found them, not aligned to the surroundings",
+    [](Engine_parameters& p) { p.ingredients.alignment = false; } },
+  { "without_warp", "copies are not warped to the rim",
+    [](Engine_parameters& p) { p.ingredients.warp = false; } },
+  { "without_averaging", "at most one place is copied",
+    [](Engine_parameters& p) { p.ingredients.averaging = false; } },
+  { "without_fake_holes", "the best place is always copied, whole",
+    [](Engine_parameters& p) { p.ingredients.fake_holes = false; } },
+  { "without_kriging", "smooth bases of polyharmonic trends only",
+    [](Engine_parameters& p) { p.ingredients.kriging = false; } },
   { "without_texture", "nearest in distance instead of true in texture",
-    [](Engine_parameters& p) { p.keep_texture = false; } },
-  { "other_seed", "another random seed: the noise of the other rows",
-    [](Engine_parameters& p) { p.random_seed = 1; } } };
+    [](Engine_parameters& p) { p.keep_texture = false; } } };
 
 } // namespace
 

@@ -93,6 +93,8 @@ public:
 
   std::size_t size() const { return m_members.size(); }
 
+  bool is_kriging(std::size_t m) const { return m_members[m].range > 0; }
+
   /// Heights that member `m` continues the known surface with, displaced by each column of `data`.
   Eigen::MatrixXd heights(std::size_t m, const Eigen::MatrixXd& data) const
   {

@@ -80,7 +80,9 @@ public:
     search.number_of_turns = m_parameters.number_of_turns;
     search.mirror = m_parameters.mirror;
     search.number_of_places = m_parameters.number_of_candidates;
-    const Hole_completion<ConcurrencyTag> completion(*m_model, m_sources, search, m_parameters.keep_texture);
+    search.alignment = m_parameters.ingredients.alignment;
+    const Hole_completion<ConcurrencyTag> completion(*m_model, m_sources, search, m_parameters.keep_texture,
+                                                     m_parameters.ingredients);
     Example_policy<ConcurrencyTag> policy(*m_map, completion, m_patches, chosen, m_added, m_outcomes);
     return Completion_loop<Example_policy<ConcurrencyTag> >(policy, callback).run();
   }

@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Base_family.h>
+#include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 
 #include <CGAL/for_each.h>
@@ -78,8 +79,8 @@ public:
   static constexpr std::size_t target = static_cast<std::size_t>(-1);
 
   Copy_forecast(const Patch& patch, const Base_family<ConcurrencyTag>& family, const std::vector<Place>& places,
-                const std::vector<Place_relief>& reliefs, double radius)
-    : m_patch(patch), m_places(places), m_reliefs(reliefs), m_radius(radius)
+                const std::vector<Place_relief>& reliefs, double radius, const Ingredients& ingredients)
+    : m_patch(patch), m_places(places), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients)
   {
     // the hole is the last column: nothing but the known surface
     const std::size_t n = places.size();
@@ -87,6 +88,8 @@ public:
     for(std::size_t c = 0; c < n; ++c)
       rim.col(Eigen::Index(c)) = reliefs[c].rim;
     m_membrane = family.membrane(rim);
+    if(!m_ingredients.warp)
+      m_membrane.setZero();
     m_roughness = family.roughness(rim);
     m_mismatch = Eigen::MatrixXd::Zero(Eigen::Index(n) + 1, Eigen::Index(n));
     for(std::size_t k = 0; k <= n; ++k)
@@ -121,12 +124,22 @@ public:
       result[0].upper = 2 * m_sector_error;
       return result;
     }
+    if(!m_ingredients.fake_holes)
+    {
+      result[0].error = result[0].upper = m_sector_error;
+      result.push_back(result[0]);
+      result[1].plan = plan_of(1, 1);
+      result[1].error = 0.5 * m_sector_error;
+      return result;
+    }
     std::vector<double> errors;
     for(std::size_t k : m_judges)
       errors.push_back(fake_error(Filling_plan(), k));
     extrapolate(errors, result[0]);
     for(std::size_t places : {1, 2, 4, 8})
     {
+      if(places > 1 && !m_ingredients.averaging)
+        break;
       Plan_forecast forecast;
       forecast.plan.places = places;
       const Trust trust = learn_trust(places, errors);
@@ -188,10 +201,13 @@ private:
       errors[m] = std::exp(errors[m]);
       return true;
     });
-    const std::vector<double> sector_errors = family.sector_errors();
+    std::vector<double> sector_errors = family.sector_errors();
+    for(std::size_t m = 0; m < family.size(); ++m)
+      if(family.is_kriging(m) && !m_ingredients.kriging)
+        errors[m] = sector_errors[m] = 1e3 * m_radius;
     // the geometric mean over the fake holes: one that is quite different must not decide
-    const std::vector<double> weights = m_judges.size() < fewest_judges() ? family.weights(sector_errors, floor, 4)
-                                                                          : family.weights(errors, floor, 8);
+    const std::vector<double> weights = m_judges.size() < fewest_judges() || !m_ingredients.fake_holes
+      ? family.weights(sector_errors, floor, 4) : family.weights(errors, floor, 8);
     m_smooth = family.combine(heights, weights);
     m_sector_error = 0;
     for(std::size_t m = 0; m < weights.size(); ++m)
@@ -374,6 +390,7 @@ private:
   std::vector<Place> m_places;
   std::vector<Place_relief> m_reliefs;
   double m_radius;
+  Ingredients m_ingredients;
   double m_sector_error = 0;
   std::vector<std::size_t> m_judges;                  // fake holes
   std::vector<double> m_judge_weights;                // parallel to it, of sum 1

@@ -74,6 +74,16 @@ struct Added_point
   double confidence = 0;              ///< 0 to 1
 };
 
+/// Parts of the default policy that an ablation leaves out one by one.
+struct Ingredients
+{
+  bool alignment = true;     ///< places are aligned to the surroundings of the hole
+  bool warp = true;          ///< copies are warped to the rim
+  bool averaging = true;     ///< several places may be averaged
+  bool fake_holes = true;    ///< fake holes decide; otherwise the best place is always copied
+  bool kriging = true;       ///< smooth bases may continue what their trend misses as a random field
+};
+
 /// All settings of a run, lengths in model units, 0 meaning "chosen by the engine".
 struct Engine_parameters
 {
@@ -92,6 +102,7 @@ struct Engine_parameters
   std::size_t number_of_candidates = 2000;    ///< size of the shortlist of places
   bool keep_texture = true;                   ///< true in texture rather than nearest in distance
   unsigned int random_seed = 0;
+  Ingredients ingredients;
 };
 
 } // namespace internal

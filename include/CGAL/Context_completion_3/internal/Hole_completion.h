@@ -60,8 +60,8 @@ class Hole_completion
 
 public:
   Hole_completion(const Model& known, const std::vector<Source>& sources, const Search_settings& search,
-                  bool keep_texture)
-    : m_known(known), m_sources(sources), m_search(search), m_keep_texture(keep_texture)
+                  bool keep_texture, const Ingredients& ingredients)
+    : m_known(known), m_sources(sources), m_search(search), m_keep_texture(keep_texture), m_ingredients(ingredients)
   {}
 
   /// Places, their reliefs, the forecasts of all plans, and the choice between them. The match refers to `patch`.
@@ -82,7 +82,7 @@ public:
       return true;
     });
     const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
-                                                                          target.radius);
+                                                                          target.radius, m_ingredients);
     match.forecast = forecast;
     const std::vector<Plan_forecast> forecasts = forecast->forecasts();
     match.smooth = match.chosen = forecasts.front();
@@ -294,6 +294,7 @@ private:
   const std::vector<Source>& m_sources;
   Search_settings m_search;
   bool m_keep_texture;
+  Ingredients m_ingredients;
 };
 
 } // namespace internal

@@ -52,6 +52,7 @@ struct Search_settings
 {
   std::size_t number_of_turns = 24;
   bool mirror = true;
+  bool alignment = true;
   std::size_t number_of_places = 4000;      ///< at most so many source places are tried
   std::size_t number_of_results = 24;
 };
@@ -133,7 +134,8 @@ private:
     std::vector<std::size_t> indices = sequence(best.size());
     CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
     {
-      best[i].motion = fast.align(some, best[i].motion, tau, (std::max)(1.5 * target.spacing, 1.5 * voxel), 5);
+      if(m_settings.alignment)
+        best[i].motion = fast.align(some, best[i].motion, tau, (std::max)(1.5 * target.spacing, 1.5 * voxel), 5);
       best[i].score = fast.score(some, best[i].motion, weights);
       return true;
     });
@@ -146,7 +148,8 @@ private:
     indices = sequence(places.size());
     CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
     {
-      const Motion motion = exact.align(target.overlap, places[i].motion, weights.tau, 1.5 * target.spacing, 8);
+      const Motion motion = m_settings.alignment
+        ? exact.align(target.overlap, places[i].motion, weights.tau, 1.5 * target.spacing, 8) : places[i].motion;
       places[i] = place(s, target, motion, exact_score(model, target, motion));
       return true;
     });
