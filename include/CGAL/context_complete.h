@@ -122,7 +122,7 @@ namespace CGAL {
     \cgalParamNEnd
 
     \cgalParamNBegin{example_mask}
-      \cgalParamDescription{a property map that tells which points of `points` may be copied (section 9)}
+      \cgalParamDescription{a property map that tells which points of `points` may be copied (paper, section 8)}
       \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the iterator of the point
                      set and whose value type is `bool`}
       \cgalParamDefault{all points may be copied}
@@ -130,7 +130,7 @@ namespace CGAL {
     \cgalParamNEnd
 
     \cgalParamNBegin{example_point_sets}
-      \cgalParamDescription{further surfaces to copy from, in the same unit as `points` (section 9)}
+      \cgalParamDescription{further surfaces to copy from, in the same unit as `points` (paper, section 8)}
       \cgalParamType{a model of `ForwardRange` whose value type is a `CGAL::Point_set_3` with normals or, if not, a
                      point range that `point_map` and `normal_map` can read}
       \cgalParamDefault{none}
@@ -365,7 +365,7 @@ std::size_t context_complete(Point_set_3<Point, Vector_>& points,
     \cgalParamNEnd
 
     \cgalParamNBegin{example_mask}
-      \cgalParamDescription{a property map that tells which points of `points` may be copied (section 9)}
+      \cgalParamDescription{a property map that tells which points of `points` may be copied (paper, section 8)}
       \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the iterator of the point
                      set and whose value type is `bool`}
       \cgalParamDefault{all points may be copied}
@@ -373,7 +373,7 @@ std::size_t context_complete(Point_set_3<Point, Vector_>& points,
     \cgalParamNEnd
 
     \cgalParamNBegin{example_point_sets}
-      \cgalParamDescription{further surfaces to copy from, in the same unit as `points` (section 9)}
+      \cgalParamDescription{further surfaces to copy from, in the same unit as `points` (paper, section 8)}
       \cgalParamType{a model of `ForwardRange` whose value type is a `CGAL::Point_set_3` with normals or, if not, a
                      point range that `point_map` and `normal_map` can read}
       \cgalParamDefault{none}
