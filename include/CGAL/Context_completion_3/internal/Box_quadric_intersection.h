@@ -47,12 +47,9 @@ public:
   /// In the coordinates u of the unit cube, x = lower + (upper - lower) u: q = c + b u + u H u / 2.
   Box_quadric_decision(const Quadric& q, const Bbox_3& box)
   {
-    FT lower[3], extent[3], k[10];
-    for(int d = 0; d < 3; ++d)
-    {
-      lower[d] = FT((box.min)(d));
-      extent[d] = FT((box.max)(d)) - lower[d];
-    }
+    const FT lower[3] = { FT(box.xmin()), FT(box.ymin()), FT(box.zmin()) };
+    const FT extent[3] = { FT(box.xmax()) - lower[0], FT(box.ymax()) - lower[1], FT(box.zmax()) - lower[2] };
+    FT k[10];
     for(std::size_t i = 0; i < 10; ++i)
       k[i] = FT(q.c[i]);
     const FT h[3][3] = { { k[0] + k[0], k[3], k[4] }, { k[3], k[1] + k[1], k[5] }, { k[4], k[5], k[2] + k[2] } };
