@@ -16,6 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Base_family.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Filling_plan.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 
 #include <CGAL/for_each.h>
@@ -31,21 +32,6 @@
 namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
-
-/// A way to fill a hole: the smooth base, plus a share of what the best places have over it.
-struct Filling_plan
-{
-  std::size_t places = 0;    ///< so many best places are averaged; 0: smooth
-  double share = 0;          ///< of their relief that is added, 0 to 1
-};
-
-/// A plan and its error on the fake holes.
-struct Plan_forecast
-{
-  Filling_plan plan;
-  double error = 0;          ///< expected mean distance to the true surface
-  double upper = 0;          ///< one standard deviation above it
-};
 
 /*!
   Copy or smooth, and how: decided by fake holes. Each of the best matching source places is taken for a hole of the same
@@ -63,17 +49,6 @@ template <typename ConcurrencyTag>
 class Copy_forecast
 {
   typedef Smooth_patch<ConcurrencyTag> Patch;
-
-  // share = 1 / (1 + (mismatch / scale)^3)
-  struct Trust
-  {
-    double scale = 0;
-    double share(double mismatch) const
-    {
-      const double r = mismatch / scale;
-      return 1 / (1 + r * r * r);
-    }
-  };
 
 public:
   static constexpr std::size_t target = static_cast<std::size_t>(-1);
@@ -128,7 +103,7 @@ public:
     {
       result[0].error = result[0].upper = m_sector_error;
       result.push_back(result[0]);
-      result[1].plan = plan_of(1, 1);
+      result[1].plan = Filling_plan(1, 1);
       result[1].error = 0.5 * m_sector_error;
       return result;
     }
@@ -149,6 +124,7 @@ public:
       extrapolate(errors, forecast);
       result.push_back(forecast);
     }
+    contradict(result);
     return result;
   }
 
@@ -227,7 +203,7 @@ private:
       mismatches.push_back(joint_mismatch(places, k));
       ends.push_back(0.02 * m_patch.spacing());
       for(double share : {0., 1.})
-        ends.back() += fake_error(plan_of(places, share), k);
+        ends.back() += fake_error(Filling_plan(places, share), k);
     }
     Trust best;
     double least = 0;
@@ -240,7 +216,7 @@ private:
       std::vector<double> made;
       for(std::size_t i = 0; i < m_judges.size(); ++i)
       {
-        made.push_back(fake_error(plan_of(places, trust.share(mismatches[i])), m_judges[i]));
+        made.push_back(fake_error(Filling_plan(places, trust.share(mismatches[i])), m_judges[i]));
         loss += m_judge_weights[i] * 2 * made.back() / ends[i];
       }
       if(step == 0 || loss < least)
@@ -253,12 +229,19 @@ private:
     return best;
   }
 
-  static Filling_plan plan_of(std::size_t places, double share)
+  // A copy that is to be believed and the smooth base cannot both be right where they differ. A feature that the rim does
+  // not show is known from its twin alone; the smooth base did well on fake holes without one.
+  void contradict(std::vector<Plan_forecast>& forecasts) const
   {
-    Filling_plan plan;
-    plan.places = places;
-    plan.share = share;
-    return plan;
+    std::size_t best = 0;
+    for(std::size_t i = 1; i < forecasts.size(); ++i)
+      if(best == 0 || forecasts[i].error < forecasts[best].error)
+        best = i;
+    if(best == 0 || forecasts[best].plan.share < 0.8)
+      return;
+    const Eigen::VectorXd difference = predict(forecasts[best].plan, target) - m_smooth.col(column(target));
+    forecasts[0].error = std::hypot(forecasts[0].error, difference.cwiseAbs().mean());
+    forecasts[0].upper = (std::max)(forecasts[0].upper, forecasts[0].error);
   }
 
   // Fake holes differ from the hole: another one may be rougher around, or have found better examples. The errors made
