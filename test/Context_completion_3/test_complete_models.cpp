@@ -90,6 +90,8 @@ Surface_points mesh_vertices(const std::string& file)
 Surface_points mesh_samples(const std::string& file, std::size_t number)
 {
   const Triangle_soup soup = read_soup(file);
+  if(soup.triangles.empty())
+    return Surface_points();
   std::vector<double> areas;
   double total = 0;
   for(const std::array<std::size_t, 3>& t : soup.triangles)
