@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
+#include <CGAL/Context_completion_3/internal/Weighted_quantile.h>
 
 #include <CGAL/for_each.h>
 
@@ -47,46 +48,61 @@ class Base_family
 {
   typedef Smooth_patch<ConcurrencyTag> Patch;
 
+  struct Trend
+  {
+    double value_noise = 0, gradient_noise = 0;   // variances in units of the hole's radius
+    Polyharmonic_base base;
+    Eigen::VectorXd coefficients;        // of the known surface
+    Eigen::MatrixXd basis;               // samples x coefficients
+    Eigen::MatrixXd center_basis;        // centres x coefficients
+    Eigen::VectorXd offset;              // height over that of the patch, at the samples
+    Eigen::VectorXd missed;              // known surface over it, at the centres
+    double sector_error = 0;
+  };
+
   struct Member
   {
-    double value_noise = 0, gradient_noise = 0;   // of the trend: variances in units of the hole's radius
+    std::size_t trend = 0;
     double range = 0;                    // of the rest, in radii; 0: it fades out within a few spacings of the rim
-    Polyharmonic_base trend;
-    Eigen::MatrixXd basis;               // samples x coefficients
-    Eigen::MatrixXd center_basis;        // centres of the rest x coefficients
-    Eigen::MatrixXd rest;                // samples x centres of the rest
-    Eigen::VectorXd offset;              // height of this base over that of the patch
-    Eigen::VectorXd missed;              // known surface over the trend, at the centres of the rest
-    double sector_error = 0;
+    Eigen::MatrixXd rest;                // samples x centres: spreads what the trend misses
   };
 
 public:
   explicit Base_family(const Patch& patch) : m_patch(patch)
   {
     for(std::size_t i = 0; i < patch.centers().size(); ++i)
-    {
-      m_all.push_back(i);
       if(patch.centers()[i].distance < 1.6 * patch.spacing())
         m_rim.push_back(i);
-    }
-    prepare_correction();
     prepare_membrane();
-    const double settings[][3] = {{0, 0, 0}, {0.01, 10, 0}, {0.1, 100, 0}, {1, 300, 0},
-                                  {1, 300, 0.1}, {1, 300, 0.2}, {1, 300, 0.4}, {10, 3000, 0.4}};
-    std::vector<std::size_t> indices;
-    for(const double* setting : settings)
+    const double noise[][2] = {{0, 0}, {0.01, 10}, {0.1, 100}, {1, 300}, {10, 3000}};
+    for(const double* variances : noise)
     {
-      Member member;
-      member.value_noise = setting[0];
-      member.gradient_noise = setting[1];
-      member.range = setting[2];
-      indices.push_back(m_members.size());
-      m_members.push_back(member);
+      m_trends.emplace_back();
+      m_trends.back().value_noise = variances[0];
+      m_trends.back().gradient_noise = variances[1];
+    }
+    const std::pair<std::size_t, double> settings[] = {{0, 0.}, {1, 0.}, {2, 0.}, {3, 0.},
+                                                       {3, 0.1}, {3, 0.2}, {3, 0.4}, {4, 0.4}};
+    for(const std::pair<std::size_t, double>& setting : settings)
+    {
+      m_members.emplace_back();
+      m_members.back().trend = setting.first;
+      m_members.back().range = setting.second;
     }
     const std::vector<std::vector<std::size_t> > groups = sectors();
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t m) -> bool
+    const Eigen::MatrixXd fading = fading_rest();
+    std::vector<std::size_t> indices;
+    for(std::size_t i = 0; i < m_trends.size() + m_members.size(); ++i)
+      indices.push_back(i);
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
     {
-      prepare(m_members[m], groups);
+      if(i < m_trends.size())
+        prepare(m_trends[i], groups);
+      else
+      {
+        Member& member = m_members[i - m_trends.size()];
+        member.rest = member.range > 0 ? kriging(member.range) : fading;
+      }
       return true;
     });
   }
@@ -99,9 +115,10 @@ public:
   Eigen::MatrixXd heights(std::size_t m, const Eigen::MatrixXd& data) const
   {
     const Member& member = m_members[m];
-    const Eigen::MatrixXd coefficients = member.trend.solve(data);
-    const Eigen::MatrixXd rest = values_at(rest_centers(member), data) - member.center_basis * coefficients;
-    return (member.basis * coefficients + member.rest * rest).colwise() + member.offset;
+    const Trend& trend = m_trends[member.trend];
+    const Eigen::MatrixXd coefficients = trend.base.solve(data);
+    const Eigen::MatrixXd missed = (values(data) - trend.center_basis * coefficients).colwise() + trend.missed;
+    return (trend.basis * coefficients + member.rest * missed).colwise() + trend.offset;
   }
 
   /// Weights for `combine()` from an error of each member.
@@ -130,7 +147,7 @@ public:
       {
         for(std::size_t m = 0; m < heights.size(); ++m)
           sorted[m] = std::make_pair(heights[m](r, c), weights[m]);
-        result(r, c) = weighted_median(sorted);
+        result(r, c) = weighted_quantile(sorted, 0.5);
       }
     return result;
   }
@@ -140,62 +157,46 @@ public:
   {
     std::vector<double> result;
     for(const Member& m : m_members)
-      result.push_back(m.sector_error);
+      result.push_back(m_trends[m.trend].sector_error);
     return result;
   }
 
   /// Continues the values of each column of `data` as a membrane; linear.
   Eigen::MatrixXd membrane(const Eigen::MatrixXd& data) const
   {
-    return m_membrane * values_at(m_rim, data);
+    return m_membrane * at_rim(values(data));
   }
 
   /// Root mean square of what a smoothed base misses at the rim, for the known surface displaced by each column of
   /// `data`: how rough the surroundings are.
   Eigen::VectorXd roughness(const Eigen::MatrixXd& data) const
   {
-    const Member& m = m_members[2];
-    const Eigen::MatrixXd left = values_at(m_rim, data) - m.center_basis * m.trend.solve(data);
-    Eigen::VectorXd result(data.cols());
-    for(Eigen::Index k = 0; k < data.cols(); ++k)
-      result[k] = std::sqrt((m.missed + left.col(k)).squaredNorm() / double(m.missed.size()));
-    return result;
+    const Trend& trend = m_trends[2];
+    const Eigen::MatrixXd missed =
+      at_rim((values(data) - trend.center_basis * trend.base.solve(data)).colwise() + trend.missed);
+    return (missed.colwise().squaredNorm() / double(missed.rows())).cwiseSqrt().transpose();
   }
 
 private:
-  static Eigen::MatrixXd values_at(const std::vector<std::size_t>& centers, const Eigen::MatrixXd& data)
+  // of centres, from their 4 numbers each
+  static Eigen::MatrixXd values(const Eigen::MatrixXd& data)
   {
-    Eigen::MatrixXd values(Eigen::Index(centers.size()), data.cols());
-    for(std::size_t i = 0; i < centers.size(); ++i)
-      values.row(Eigen::Index(i)) = data.row(4 * Eigen::Index(centers[i]));
-    return values;
+    Eigen::MatrixXd result(data.rows() / 4, data.cols());
+    for(Eigen::Index i = 0; i < result.rows(); ++i)
+      result.row(i) = data.row(4 * i);
+    return result;
   }
 
-  static double weighted_median(std::vector<std::pair<double, double> >& values)
+  Eigen::MatrixXd at_rim(const Eigen::MatrixXd& all) const
   {
-    std::sort(values.begin(), values.end());
-    // linear between the members, so that the median is continuous from sample to sample
-    double below = 0;
-    for(std::size_t i = 0; i < values.size(); ++i)
-    {
-      const double middle = below + values[i].second / 2;
-      if(middle >= 0.5)
-      {
-        if(i == 0)
-          return values[0].first;
-        const double previous = below - values[i - 1].second / 2;
-        const double t = (0.5 - previous) / (middle - previous);
-        return values[i - 1].first + t * (values[i].first - values[i - 1].first);
-      }
-      below += values[i].second;
-    }
-    return values.back().first;
+    Eigen::MatrixXd result(Eigen::Index(m_rim.size()), all.cols());
+    for(std::size_t i = 0; i < m_rim.size(); ++i)
+      result.row(Eigen::Index(i)) = all.row(Eigen::Index(m_rim[i]));
+    return result;
   }
 
-  const std::vector<std::size_t>& rest_centers(const Member& m) const { return m.range > 0 ? m_all : m_rim; }
-
-  // A smoothed base misses the rim; what it misses is made up within a few spacings.
-  void prepare_correction()
+  // A smoothed base misses the rim; what it misses there is made up within a few spacings.
+  Eigen::MatrixXd fading_rest() const
   {
     const double range = 4 * m_patch.spacing();
     const Eigen::Index n = Eigen::Index(m_rim.size()), j = Eigen::Index(m_patch.samples().size());
@@ -209,7 +210,11 @@ private:
         b(s, i) = std::exp(-(c - m_patch.samples()[std::size_t(s)].position).norm() / range);
     }
     a.diagonal().array() += 1e-3;
-    m_correction = a.ldlt().solve(b.transpose()).transpose();
+    const Eigen::MatrixXd of_rim = a.ldlt().solve(b.transpose()).transpose();
+    Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(j, Eigen::Index(m_patch.centers().size()));
+    for(Eigen::Index i = 0; i < n; ++i)
+      rest.col(Eigen::Index(m_rim[std::size_t(i)])) = of_rim.col(i);
+    return rest;
   }
 
   void prepare_membrane()
@@ -249,50 +254,46 @@ private:
     return a.ldlt().solve(b.transpose()).transpose();
   }
 
-  void prepare(Member& m, const std::vector<std::vector<std::size_t> >& groups) const
+  void prepare(Trend& trend, const std::vector<std::vector<std::size_t> >& groups) const
   {
     std::vector<Vector> positions;
     for(const Base_center& c : m_patch.centers())
       positions.push_back(c.position);
-    m.trend = Polyharmonic_base(positions, m_patch.scale(), m.value_noise, m.gradient_noise);
-    m.rest = m.range > 0 ? kriging(m.range) : m_correction;
+    trend.base = Polyharmonic_base(positions, m_patch.scale(), trend.value_noise, trend.gradient_noise);
     const Eigen::MatrixXd data = m_patch.normal_data();
-    const Eigen::VectorXd coefficients = m.trend.solve(data).col(0);
-    const std::vector<std::size_t>& centers = rest_centers(m);
-    const Eigen::Index n = Eigen::Index(m_patch.samples().size()), r = Eigen::Index(centers.size());
+    trend.coefficients = trend.base.solve(data).col(0);
+    const Eigen::Index n = Eigen::Index(m_patch.samples().size()), r = Eigen::Index(positions.size());
     Eigen::RowVectorXd row;
-    m.basis.resize(n, coefficients.size());
-    m.offset.resize(n);
+    trend.basis.resize(n, trend.coefficients.size());
+    trend.offset.resize(n);
     for(Eigen::Index s = 0; s < n; ++s)
     {
       const Base_sample& sample = m_patch.samples()[std::size_t(s)];
-      m.trend.basis(sample.position, row);
-      m.basis.row(s) = row;
-      m.offset[s] = height(m.trend, coefficients, sample.position, sample.normal);
+      trend.base.basis(sample.position, row);
+      trend.basis.row(s) = row;
+      trend.offset[s] = height(trend, sample.position, sample.normal);
     }
-    m.center_basis.resize(r, coefficients.size());
-    m.missed.resize(r);
+    trend.center_basis.resize(r, trend.coefficients.size());
+    trend.missed.resize(r);
     for(Eigen::Index i = 0; i < r; ++i)
     {
-      const Base_center& c = m_patch.centers()[centers[std::size_t(i)]];
-      m.trend.basis(c.position, row);
-      m.center_basis.row(i) = row;
-      m.missed[i] = -height(m.trend, coefficients, c.position, c.normal);
+      const Base_center& c = m_patch.centers()[std::size_t(i)];
+      trend.base.basis(c.position, row);
+      trend.center_basis.row(i) = row;
+      trend.missed[i] = -height(trend, c.position, c.normal);
     }
-    m.offset += m.rest * m.missed;
-    m.sector_error = prediction_error(m, groups, data.col(0));
+    trend.sector_error = prediction_error(trend, groups, data.col(0));
   }
 
   // Height of the zero set over `x` along `normal`, by Newton's method on the line.
-  double height(const Polyharmonic_base& base, const Eigen::VectorXd& coefficients, const Vector& x,
-                const Vector& normal) const
+  double height(const Trend& trend, const Vector& x, const Vector& normal) const
   {
     const double limit = 0.3 * m_patch.scale();
     double t = 0;
     for(int step = 0; step < 4; ++step)
     {
       Vector gradient;
-      const double f = base.value(x + t * normal, coefficients, gradient);
+      const double f = trend.base.value(x + t * normal, trend.coefficients, gradient);
       const double slope = gradient.dot(normal);
       if(!(slope > 0.2))
         break;
@@ -325,10 +326,10 @@ private:
     return groups;
   }
 
-  double prediction_error(const Member& m, const std::vector<std::vector<std::size_t> >& groups,
+  double prediction_error(const Trend& trend, const std::vector<std::vector<std::size_t> >& groups,
                           const Eigen::VectorXd& data) const
   {
-    const std::vector<Eigen::VectorXd> residuals = m.trend.left_out(groups, data);
+    const std::vector<Eigen::VectorXd> residuals = trend.base.left_out(groups, data);
     const double limit = 0.3 * m_patch.scale();
     double sum = 0;
     std::size_t count = 0;
@@ -346,9 +347,9 @@ private:
   }
 
   const Patch& m_patch;
-  std::vector<std::size_t> m_all, m_rim;   // indices of centres
-  Eigen::MatrixXd m_correction;         // samples x rim: fades out within a few spacings
-  Eigen::MatrixXd m_membrane;
+  std::vector<std::size_t> m_rim;       // indices of centres
+  Eigen::MatrixXd m_membrane;           // samples x rim
+  std::vector<Trend> m_trends;
   std::vector<Member> m_members;
 };
 

@@ -16,6 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Copy_forecast.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Missing_texture.h>
 #include <CGAL/Context_completion_3/internal/Patch_transfer.h>
 
 #include <algorithm>
@@ -24,7 +25,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -105,26 +105,21 @@ public:
     {
       const std::vector<std::size_t>& ranking = match.forecast->ranking();
       result.outcome.match = match.forecast->match(ranking.front());
-      std::size_t best = ranking.front();
-      Texture texture;
-      if(m_keep_texture)
-        // with nothing else to copy, the texture may be that of a place that matches less well
-        for(std::size_t r = 0; r < ranking.size() && r < (chosen.plan.places > 0 ? 1 : most_textures()); ++r)
-        {
-          const Texture candidate = missing_texture(patch, match, heights - match.reliefs[ranking[r]].height);
-          if(match.reliefs[ranking[r]].coverage < 0.9 || !is_visible(candidate, chosen.error, patch.spacing()))
-            continue;
-          texture = candidate;
-          best = ranking[r];
-          break;
-        }
-      if(chosen.plan.places > 0 || texture.amplitude > 0)
+      if(chosen.plan.places == 1 && chosen.plan.share > 0.9)
       {
-        place = &match.places[best];
-        const bool is_whole = chosen.plan.places == 1 && chosen.plan.share > 0.9;
-        displacement = is_whole ? match.forecast->fitting(best) : heights - match.reliefs[best].height;
-        if(!is_whole && texture.amplitude > 0)
-          displacement -= texture.field;
+        // the whole relief of one place, which is fitted to the rim and keeps all else
+        place = &match.places[ranking.front()];
+        displacement = match.forecast->fitting(ranking.front());
+      }
+      else
+      {
+        if(chosen.plan.places > 0)
+        {
+          place = &match.places[ranking.front()];
+          displacement = heights - match.reliefs[ranking.front()].height;
+        }
+        if(m_keep_texture)
+          add_texture(patch, match, heights, place, displacement);
       }
     }
     const Patch_transfer<ConcurrencyTag> transfer(m_known, patch, sampler, m_sources);
@@ -140,6 +135,7 @@ public:
     return result;
   }
 
+  /// What is searched for: probes at known points within 0.6 radii of the rim, and at the base inside.
   static Match_target match_target(const Model& known, const Patch& patch)
   {
     Match_target target;
@@ -184,85 +180,27 @@ private:
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
   static double copy_margin() { return 0.92; }
 
-  struct Texture
+  // Lets carried points keep a texture. With nothing else to copy, it may be that of a place that matches less well.
+  void add_texture(const Patch& patch, const Match& match, const Eigen::VectorXd& heights, const Place*& place,
+                   Eigen::VectorXd& displacement) const
   {
-    Eigen::VectorXd field;               // height over the plan
-    double amplitude = 0;                // root mean square of it
-    double own = 0;                      // that of the place, before it was brought to what is missing
-  };
-
-  static std::size_t most_textures() { return 8; }
-
-  // Finer relief than 0.05 spacings cannot be told from an uneven sampling; texture that is random against the true one
-  // adds to the error, by a fifth at most below 0.7 of it; and a place with much more of it has another texture.
-  static bool is_visible(const Texture& texture, double error, double spacing)
-  {
-    return texture.amplitude > 0.05 * spacing && texture.amplitude < 0.7 * error &&
-           texture.amplitude > 0.4 * texture.own;
-  }
-
-  // What is finer than a few spacings may stay with the carried points as their texture, as far as the plan misses such
-  // relief: that is known from the fake holes, sample by sample. It begins a few spacings from the rim, as it does not fit
-  // what is there.
-  Texture missing_texture(const Patch& patch, const Match& match, const Eigen::VectorXd& difference) const
-  {
-    const Relief_sampler<ConcurrencyTag>& sampler = *match.sampler;
-    Eigen::MatrixXd missing = match.forecast->misses(match.chosen.plan);
-    for(Eigen::Index k = 0; k < missing.cols(); ++k)
+    const std::size_t most = 8;
+    const std::vector<std::size_t>& ranking = match.forecast->ranking();
+    const Missing_texture<ConcurrencyTag> missing(m_known, patch, *match.sampler, *match.forecast, match.chosen.plan);
+    for(std::size_t r = 0; r < ranking.size() && r < (place != nullptr ? 1 : most); ++r)
     {
-      const Eigen::VectorXd miss = missing.col(k);
-      missing.col(k) = low_pass(sampler, (miss - low_pass(sampler, miss)).cwiseAbs2());
+      const Place_relief& relief = match.reliefs[ranking[r]];
+      if(relief.coverage < 0.9)
+        continue;
+      const Eigen::VectorXd difference = heights - relief.height;
+      const typename Missing_texture<ConcurrencyTag>::Texture texture = missing.of(difference);
+      if(!missing.is_fitting(texture, match.chosen.error))
+        continue;
+      place = &match.places[ranking[r]];
+      displacement = difference - texture.field;
+      return;
     }
-    Texture texture;
-    texture.field = difference - low_pass(sampler, difference);
-    texture.own = root_mean_square(texture.field);
-    const Eigen::VectorXd own = low_pass(sampler, texture.field.cwiseAbs2());
-    std::vector<std::pair<double, double> > variances(std::size_t(missing.cols()));
-    for(Eigen::Index s = 0; s < own.size(); ++s)
-    {
-      for(Eigen::Index k = 0; k < missing.cols(); ++k)
-        variances[std::size_t(k)] = std::make_pair(missing(s, k), match.forecast->judge_weights()[std::size_t(k)]);
-      const double variance = upper_median(variances);
-      const double distance = m_known.search().nearest(patch.samples()[std::size_t(s)].position).second / patch.spacing();
-      const double fade = (std::max)(0., (std::min)(1., (distance - 1) / 3));
-      texture.field[s] *= fade * (std::min)(1.25, std::sqrt(variance / (own[s] + 1e-300)));
-    }
-    texture.amplitude = root_mean_square(texture.field);
-    return texture;
   }
-
-  // of pairs value, weight (of sum 1): fake holes at sharp features have outliers upwards
-  static double upper_median(std::vector<std::pair<double, double> >& values)
-  {
-    std::sort(values.begin(), values.end());
-    double below = 0;
-    for(const std::pair<double, double>& v : values)
-    {
-      below += v.second;
-      if(below >= 0.65)
-        return v.first;
-    }
-    return values.empty() ? 0. : values.back().first;
-  }
-
-  static Eigen::VectorXd low_pass(const Relief_sampler<ConcurrencyTag>& sampler, Eigen::VectorXd field)
-  {
-    for(int round = 0; round < 4; ++round)
-    {
-      Eigen::VectorXd next(field.size());
-      for(Eigen::Index s = 0; s < field.size(); ++s)
-      {
-        double sum = 0;
-        for(std::size_t t : sampler.neighbors(std::size_t(s)))
-          sum += field[Eigen::Index(t)];
-        next[s] = sum / double(sampler.neighbors(std::size_t(s)).size());
-      }
-      field.swap(next);
-    }
-    return field;
-  }
-
-  static double root_mean_square(const Eigen::VectorXd& v) { return std::sqrt(v.squaredNorm() / double(v.size())); }
 
   static std::string reason(const Plan_forecast& chosen, const Plan_forecast& smooth, double spacing,
                             std::size_t places)
@@ -280,7 +218,6 @@ private:
     return text.str();
   }
 
-  // Probes at known points within 0.6 radii of the rim, and at the base inside.
   static std::vector<Match_probe> at_most(const std::vector<Match_probe>& probes, std::size_t number)
   {
     std::vector<Match_probe> result;
