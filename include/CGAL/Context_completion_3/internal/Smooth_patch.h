@@ -59,7 +59,8 @@ class Smooth_patch
   typedef Surface_model<ConcurrencyTag> Model;
 
 public:
-  Smooth_patch(const Model& model, const std::vector<Rim_loop>& loops)
+  /// \param is_stiff lets the base miss the surroundings a little, which keeps it from following relief at the rim off
+  Smooth_patch(const Model& model, const std::vector<Rim_loop>& loops, bool is_stiff = false)
     : m_model(model), m_loops(loops)
   {
     std::vector<double> spacings, area_spacings;
@@ -86,7 +87,8 @@ public:
     std::vector<Vector> positions;
     for(const Base_center& c : m_centers)
       positions.push_back(c.position);
-    m_base = std::make_unique<Polyharmonic_base>(positions, scale());
+    m_base = is_stiff ? std::make_unique<Polyharmonic_base>(positions, scale(), 1., 300.)
+                      : std::make_unique<Polyharmonic_base>(positions, scale());
     m_coefficients = m_base->solve(normal_data()).col(0);
     project_band();
     grow();
