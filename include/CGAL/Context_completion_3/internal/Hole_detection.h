@@ -206,7 +206,7 @@ private:
         break;
       group.push_back(next);
       std::vector<std::size_t> joined = group;
-      const auto patch = closed_base(loops, loop_of_point, is_used, joined);
+      const auto patch = closed_base(loops, loop_of_point, is_used, joined, true);
       if(patch && is_evident(*patch) && is_faced(*patch))
       {
         group = joined;
