@@ -183,11 +183,15 @@ private:
     }
     group.assign(1, l);
     const double opening = loops[l].opening(m_model.points(), loops[l].center);
-    // sharp edges turn a part of the rim away from the centre; a rim that is turned away altogether is a border
+    // turned away altogether: the border of a sheet or of an island
     if(opening < -least_opening())
       return nullptr;
     const auto patch = closed_base(loops, loop_of_point, is_used, group);
-    return patch && (opening >= least_opening() || is_faced(*patch)) ? patch : nullptr;
+    // neither this nor that: the end of a tube, or the rim of a hole around sharp edges
+    if(patch && opening < least_opening() &&
+       (!is_faced(*patch) || 2 * patch->number_of_uncovered() < patch->samples().size()))
+      return nullptr;
+    return patch;
   }
 
   // A rim that sharp edges cut into pieces: each piece alone lets the base run off, or opens to nowhere. Loops that

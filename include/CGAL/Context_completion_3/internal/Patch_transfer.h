@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -77,6 +78,9 @@ private:
     const Source& source = m_sources[place.source];
     std::vector<std::size_t> indices;
     m_sampler.carried_points(place, indices);
+    std::vector<Added_point> carried;
+    std::vector<std::size_t> carried_index;
+    std::vector<char> is_planned;
     for(std::size_t i : indices)
     {
       Vector x = place.motion(source.model->position(i));
@@ -92,13 +96,48 @@ private:
         continue;
       double shift; Vector gradient, direction;
       interpolate(foot.first, x, displacement, shift, gradient, direction);
-      if(std::abs(up + shift - heights[Eigen::Index(foot.first)]) > tolerance)
+      const double miss = std::abs(up + shift - heights[Eigen::Index(foot.first)]);
+      if(miss > tolerance)
         continue;
+      is_planned.push_back(miss <= 2 * m_patch.spacing() && point.normal.dot(b.normal) > 0);
       point.position = x + shift * direction;
       point.normal = (point.normal - gradient * point.normal.dot(direction)).normalized();
       point.source = source.original_index(i);
       point.source_set = source.set;
-      add(point, 0.6, 0.8, 1.2, grid, result);
+      carried.push_back(point);
+      carried_index.push_back(i);
+    }
+    join(*source.model, carried_index, is_planned);
+    for(std::size_t k = 0; k < carried.size(); ++k)
+      if(is_planned[k])
+        add(carried[k], 0.6, 0.8, 1.2, grid, result);
+  }
+
+  // Walls and overhangs that the planned heights miss belong to the surface as far as they hang together with it; the
+  // far side of a thin part, and what lies within the solid, does not.
+  static void join(const Model& model, const std::vector<std::size_t>& indices, std::vector<char>& is_planned)
+  {
+    std::unordered_map<std::size_t, std::size_t> slot;
+    std::vector<std::size_t> front, ball;
+    for(std::size_t k = 0; k < indices.size(); ++k)
+    {
+      slot.emplace(indices[k], k);
+      if(is_planned[k])
+        front.push_back(k);
+    }
+    while(!front.empty())
+    {
+      const std::size_t i = indices[front.back()];
+      front.pop_back();
+      model.search().in_ball(model.position(i), 1.8 * model.area_spacing(i), ball);
+      for(std::size_t j : ball)
+      {
+        const auto found = slot.find(j);
+        if(found == slot.end() || is_planned[found->second] || !is_same_side(model.normal(i), model.normal(j)))
+          continue;
+        is_planned[found->second] = 1;
+        front.push_back(found->second);
+      }
     }
   }
 
