@@ -343,6 +343,76 @@ TEST(Default_policy, A_lonely_feature_is_filled_from_its_only_twin)
   EXPECT_LT(error / double(result.added.size()), 0.15);
 }
 
+// The flanks of the ridges look away from each other: an interpolating base over a hole across them runs off.
+samples::Samples steep_ridges()
+{
+  const double amplitude = 4, k = 2 * samples::pi / 11;
+  samples::Random_offsets offset(3);
+  samples::Samples ridges;
+  double x = 0, length = 0;
+  for(int i = 0; i < 200; ++i)
+  {
+    // the next column is one spacing farther along the profile
+    for(; length < i; x += 1e-3)
+      length += 1e-3 * std::hypot(1., amplitude * k * std::cos(k * x));
+    for(int j = 0; j < 44; ++j)
+    {
+      const double u = x + 0.05 * offset(), y = j + (i % 2 == 0 ? 0. : 0.5) + 0.15 * offset();
+      ridges.push_back(samples::Oriented_point(samples::Point(u, y, amplitude * std::sin(k * u)),
+        samples::unit(samples::Vector(-amplitude * k * std::cos(k * u), 0, 1))));
+    }
+  }
+  return ridges;
+}
+
+TEST(Default_policy, A_hole_across_steep_ridges_is_found_and_filled_from_their_repeats)
+{
+  const samples::Samples ridges = steep_ridges();
+  samples::Samples removed;
+  const samples::Point center(45, 22, 0);
+  const Completion result = sequential(samples::without_ball(ridges, center, 9., &removed));
+  ASSERT_EQ(result.chosen.size(), 1u);
+  EXPECT_EQ(result.outcomes[result.chosen.front()].filling, Filling::copied);
+  std::vector<Vector> truth, added;
+  for(const samples::Oriented_point& p : removed)
+    truth.push_back(samples::engine_vector(p.first));
+  for(const Added_point& p : result.added)
+    added.push_back(p.position);
+  ASSERT_FALSE(added.empty());
+  double sum = 0;
+  for(const auto& p : truth)
+    sum += samples::nearest_distance(p, added);
+  EXPECT_LT(sum / double(truth.size()), 0.6 * result.spacing);
+  sum = 0;
+  for(const auto& p : added)
+    sum += samples::nearest_distance(p, truth);
+  EXPECT_LT(sum / double(added.size()), 0.6 * result.spacing);
+}
+
+TEST(Default_policy, What_lies_behind_the_surface_is_not_copied_with_it)
+{
+  // ribs under a bumpy plate, but none under the hole
+  const samples::Point center(25, 23, 0);
+  samples::Samples plate = samples::without_ball(samples::bumpy_plane(48, 1., 8., 1.), center, 6.);
+  samples::Random_offsets offset(7);
+  for(int i = 1; i < 47; i += 4)
+    for(int y = 1; y < 41; ++y)
+      for(int z = -8; z <= -4; ++z)
+        if(std::hypot(i - center.x(), y - center.y()) > 11)
+          for(const double side : { -1., 1. })
+            plate.push_back(samples::Oriented_point(
+              samples::Point(i + 0.6 * side, y + 0.15 * offset(), z + 0.15 * offset()), samples::Vector(side, 0, 0)));
+  const Completion result = sequential(plate);
+  std::size_t in_the_plate = 0;
+  for(const Added_point& p : result.added)
+    if((p.position - samples::engine_vector(center)).norm() < 9)
+    {
+      ++in_the_plate;
+      EXPECT_GT(p.position.z(), -2.);
+    }
+  EXPECT_GT(in_the_plate, 50u);
+}
+
 TEST(Default_policy, A_callback_stops_it)
 {
   const Cut cut = plane();
