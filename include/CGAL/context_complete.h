@@ -154,6 +154,8 @@ namespace CGAL {
                             unit of the point set (section 3)}
       \cgalParamType{a positive number}
       \cgalParamDefault{half of the median spacing of the points}
+      \cgalParamExtra{It bounds the cells of the paper's policies; the improved defaults fit at the radius that
+                      predicts the points best.}
     \cgalParamNEnd
 
     \cgalParamNBegin{number_of_turns}
@@ -192,7 +194,8 @@ namespace CGAL {
       \cgalParamDescription{the seed of everything random}
       \cgalParamType{an unsigned integer}
       \cgalParamDefault{`0`}
-      \cgalParamExtra{The same seed gives the same result, bit for bit, for any number of threads.}
+      \cgalParamExtra{No stage draws random numbers at present: all seeds give the same result, bit for bit, for any
+                      number of threads.}
     \cgalParamNEnd
 
     \cgalParamNBegin{callback}
@@ -300,7 +303,8 @@ std::size_t context_complete(Point_set_3<Point, Vector_>& points,
 
   \param points the points, not changed; a `CGAL::Point_set_3` is possible, too
   \param output receives the position and the normal, of length 1, of each new point
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, see also
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the overload for a
+            `CGAL::Point_set_3`, the ones listed below with the difference that a range makes; see also
             `Context_completions_3::combine()`
 
   \cgalNamedParamsBegin
@@ -320,137 +324,12 @@ std::size_t context_complete(Point_set_3<Point, Vector_>& points,
       \cgalParamExtra{Normals need not have length 1.}
     \cgalParamNEnd
 
-    \cgalParamNBegin{geom_traits}
-      \cgalParamDescription{an instance of a geometric traits class}
-      \cgalParamType{a model of `Kernel`}
-      \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
-      \cgalParamExtra{The computation runs in `double` relative to the centre of the bounding box, whatever the
-                      number type.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{minimum_hole_diameter}
-      \cgalParamDescription{holes of a smaller diameter are left as they are; in the unit of the point set (section
-                            5)}
-      \cgalParamType{a number that is not negative}
-      \cgalParamDefault{`0`, which stands for 4.5 times the local spacing of the points}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{maximum_hole_diameter}
-      \cgalParamDescription{holes of a larger diameter are left as they are; in the unit of the point set (section
-                            5)}
-      \cgalParamType{a positive number, infinity included}
-      \cgalParamDefault{infinity}
-      \cgalParamExtra{It must not be below `minimum_hole_diameter`.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{hole_indices}
-      \cgalParamDescription{the holes to fill, as numbered by `Context_completions_3::Hole_3::id`}
-      \cgalParamType{a model of `Range` with an integer value type}
-      \cgalParamDefault{all holes with the state `Hole_state::hole`}
-      \cgalParamExtra{Whoever names a hole gets it filled, whatever its state. An unknown index is an error.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{regions}
-      \cgalParamDescription{boxes; a hole whose centre lies in none of them is left as it is (section 5)}
-      \cgalParamType{a model of `ConstRange` with the value type `Bbox_3` or `geom_traits::Iso_cuboid_3`}
-      \cgalParamDefault{no restriction}
-      \cgalParamExtra{Bounds may be infinite.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{excluded_regions}
-      \cgalParamDescription{boxes; a hole whose centre lies in one of them is left as it is (section 5)}
-      \cgalParamType{a model of `ConstRange` with the value type `Bbox_3` or `geom_traits::Iso_cuboid_3`}
-      \cgalParamDefault{no restriction}
-      \cgalParamExtra{Bounds may be infinite.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{example_mask}
-      \cgalParamDescription{a property map that tells which points of `points` may be copied (paper, section 8)}
-      \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the iterator of the point
-                     set and whose value type is `bool`}
-      \cgalParamDefault{all points may be copied}
-      \cgalParamExtra{Barred points take part in detection and in the smooth base.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{example_point_sets}
-      \cgalParamDescription{further surfaces to copy from, in the same unit as `points` (paper, section 8)}
-      \cgalParamType{a model of `ForwardRange` whose value type is a `CGAL::Point_set_3` with normals or, if not, a
-                     point range that `point_map` and `normal_map` can read}
-      \cgalParamDefault{none}
-      \cgalParamExtra{Give it with `std::cref()` to save a copy of the sets.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{maximum_depth}
-      \cgalParamDescription{the depth of the cell tree, the finest level of the completion (section 3)}
-      \cgalParamType{an integer from 1 to 20}
-      \cgalParamDefault{as deep as the spacing of the points allows}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{minimum_cell_points}
-      \cgalParamDescription{the number m of points below which a cell cannot be approximated (sections 3 and 5)}
-      \cgalParamType{an integer from 6 to 100000}
-      \cgalParamDefault{`15`}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{tolerance}
-      \cgalParamDescription{the error epsilon of a local approximation above which its cell is subdivided; in the
-                            unit of the point set (section 3)}
-      \cgalParamType{a positive number}
-      \cgalParamDefault{half of the median spacing of the points}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{number_of_turns}
-      \cgalParamDescription{in how many turns about its normal each place is compared (section 6.3)}
-      \cgalParamType{an integer from 1 to 360}
-      \cgalParamDefault{`24`}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{use_mirrors}
-      \cgalParamDescription{whether mirror images of places are compared, too (section 6.3)}
-      \cgalParamType{Boolean}
-      \cgalParamDefault{`true`}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{number_of_candidates}
-      \cgalParamDescription{how many places pass the short descriptor and are compared in full (section 6.3)}
-      \cgalParamType{an integer from 1 to 10000000}
-      \cgalParamDefault{`2000`}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{use_paper_policies}
-      \cgalParamDescription{whether every stage follows the paper to the letter instead of the improved defaults}
-      \cgalParamType{Boolean}
-      \cgalParamDefault{`false`}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{keep_texture}
-      \cgalParamDescription{whether roughness is continued in the hole (`true`) or the expected distance to the true
-                            surface is made as small as possible (`false`), where a surface is rough without
-                            repeating itself}
-      \cgalParamType{Boolean}
-      \cgalParamDefault{`true`}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{random_seed}
-      \cgalParamDescription{the seed of everything random}
-      \cgalParamType{an unsigned integer}
-      \cgalParamDefault{`0`}
-      \cgalParamExtra{The same seed gives the same result, bit for bit, for any number of threads.}
-    \cgalParamNEnd
-
     \cgalParamNBegin{callback}
       \cgalParamDescription{a function that receives the fraction of the computation that is done, from 0 to 1, and
                             cancels it by returning `false`}
       \cgalParamType{an instance of `std::function<bool(double)>`}
       \cgalParamDefault{unused}
       \cgalParamExtra{A cancelled computation writes nothing.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{visitor}
-      \cgalParamDescription{a visitor that is told of the events}
-      \cgalParamType{a model of `CompletionVisitor`}
-      \cgalParamDefault{`Context_completions_3::Default_completion_visitor`}
-      \cgalParamExtra{Give it with `std::ref()` to have the calls made on it and not on a copy.}
     \cgalParamNEnd
 
     \cgalParamNBegin{source_map}
@@ -486,14 +365,6 @@ std::size_t context_complete(Point_set_3<Point, Vector_>& points,
                      can be converted to}
       \cgalParamDefault{unused}
       \cgalParamExtra{The key is the number of the new point, 0 being the first one written.}
-    \cgalParamNEnd
-
-    \cgalParamNBegin{hole_reports}
-      \cgalParamDescription{receives a report for each hole, by increasing index}
-      \cgalParamType{a model of `OutputIterator` to which a `Context_completions_3::Hole_report_3` can be assigned,
-                     such as `std::back_inserter(reports)`}
-      \cgalParamDefault{unused}
-      \cgalParamExtra{Nothing is written if the computation is cancelled.}
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
