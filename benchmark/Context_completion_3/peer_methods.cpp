@@ -10,6 +10,7 @@
 // Author(s)     : The Context_completion_3 authors
 #include "Completion_method.h"
 #include "Points_mesh.h"
+#include "Time_limit.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -26,6 +27,7 @@
 #include <iterator>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,26 +38,25 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
-Completion_result surface_result(const Mesh& mesh)
+Benchmark_surface surface_of(const Mesh& mesh)
 {
-  Completion_result result;
-  result.is_surface = true;
+  Benchmark_surface result;
   std::vector<std::size_t> index(mesh.num_vertices() + mesh.number_of_removed_vertices());
   for(Mesh::Vertex_index v : mesh.vertices())
   {
-    index[v] = result.surface.vertices.size();
+    index[v] = result.vertices.size();
     const Kernel::Point_3& p = mesh.point(v);
-    result.surface.vertices.emplace_back(p.x(), p.y(), p.z());
+    result.vertices.emplace_back(p.x(), p.y(), p.z());
   }
   for(Mesh::Face_index f : mesh.faces())
   {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.surface.faces.push_back({ index[mesh.source(h)], index[mesh.target(h)], index[mesh.target(mesh.next(h))] });
+    result.faces.push_back({ index[mesh.source(h)], index[mesh.target(h)], index[mesh.target(mesh.next(h))] });
   }
   return result;
 }
 
-Completion_result reconstruct(const Benchmark_case& c)
+Benchmark_surface reconstruct(const Benchmark_case& c)
 {
   CGAL::get_default_random() = CGAL::Random(0);      // the order of the cases must not matter
   typedef std::pair<Kernel::Point_3, Kernel::Vector_3> Point_with_normal;
@@ -74,14 +75,14 @@ Completion_result reconstruct(const Benchmark_case& c)
   if(!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(), Point_map(), Normal_map(), mesh,
                                                     spacing))
     throw std::runtime_error("no Poisson reconstruction");
-  return surface_result(mesh);
+  return surface_of(mesh);
 }
 
 /*!
   Hole filling starts from a mesh. It gets the best that there can be: the triangles of input and removed points
   together, without those that touch a removed point, so that only the filling is compared.
 */
-Completion_result fill_and_fair(const Benchmark_case& c)
+Benchmark_surface fill_and_fair(const Benchmark_case& c)
 {
   Surface_points whole = c.input;
   for(std::size_t i = 0; i < c.removed.size(); ++i)
@@ -125,15 +126,29 @@ Completion_result fill_and_fair(const Benchmark_case& c)
   }
   if(filled == 0)
     throw std::runtime_error("no hole of the mesh could be filled");
-  return surface_result(mesh);
+  return surface_of(mesh);
+}
+
+// Both end within seconds where they end.
+Completion_method peer(const std::string& name, const std::string& description,
+                       Benchmark_surface (*compute)(const Benchmark_case&))
+{
+  const auto run = [compute](const Benchmark_case& c)
+  {
+    Completion_result result;
+    result.is_surface = true;
+    result.surface = surface_within(120, [&] { return compute(c); });
+    return result;
+  };
+  return { name, description, run };
 }
 
 } // namespace
 
 std::vector<Completion_method> peer_methods()
 {
-  return { { "poisson", "poisson_surface_reconstruction_delaunay()", reconstruct },
-           { "fairing", "triangulate_refine_and_fair_hole()", fill_and_fair } };
+  return { peer("poisson", "poisson_surface_reconstruction_delaunay()", reconstruct),
+           peer("fairing", "triangulate_refine_and_fair_hole()", fill_and_fair) };
 }
 
 } // namespace Completion_benchmark
