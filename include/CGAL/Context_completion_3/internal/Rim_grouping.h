@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_RIM_GROUPING_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_RIM_GROUPING_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Rim_detection.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/*!
+  Tells which loops may bound one hole: the two ends of a cut tube, the pieces of a broken rim, an island. A loop that is
+  used by a hole is not proposed again.
+*/
+template <typename ConcurrencyTag>
+class Rim_grouping
+{
+  typedef Surface_model<ConcurrencyTag> Model;
+
+public:
+  /// \param loops as found by `Rim_detection`; not copied
+  Rim_grouping(const Model& model, const std::vector<Rim_loop>& loops)
+    : m_model(model), m_loops(loops), m_loop_of_point(model.size(), no_index), m_is_used(loops.size(), 0)
+  {
+    for(std::size_t l = 0; l < loops.size(); ++l)
+      for(const Rim_point& p : loops[l].points)
+        m_loop_of_point[p.index] = l;
+  }
+
+  bool is_used(std::size_t l) const { return m_is_used[l]; }
+
+  void use(const std::vector<std::size_t>& group)
+  {
+    for(std::size_t l : group)
+      m_is_used[l] = 1;
+  }
+
+  /// Mean cosine, of directions or of normals; a hole in a sphere reaches it when it takes off nearly half of it.
+  static double least_opening() { return 0.25; }
+
+  /// The other end of a tube that was cut through: both rims open towards each other. `no_index` if there is none.
+  std::size_t facing_loop(std::size_t l) const
+  {
+    const Rim_loop& a = m_loops[l];
+    if(a.points.size() < fewest_tube_points() || a.opening(m_model.points(), a.center) > 0.6)
+      return no_index;
+    std::size_t best = no_index;
+    double shortest = 0;
+    for(std::size_t m = 0; m < m_loops.size(); ++m)
+    {
+      const Rim_loop& b = m_loops[m];
+      if(m == l || m_is_used[m] || b.points.size() < fewest_tube_points() || b.diameter < 0.4 * a.diameter)
+        continue;
+      const double distance = (a.center - b.center).norm();
+      if(distance > 2.5 * a.diameter || a.opening(m_model.points(), b.center) < 0.6 ||
+         b.opening(m_model.points(), a.center) < 0.6)
+        continue;
+      if(best == no_index || distance < shortest)
+      {
+        best = m;
+        shortest = distance;
+      }
+    }
+    return best;
+  }
+
+  /// The nearest loop that opens towards the same place as all of `group`; `no_index` if there is none.
+  std::size_t nearest_fragment(const std::vector<std::size_t>& group) const
+  {
+    std::size_t best = no_index;
+    double shortest = 0;
+    for(std::size_t m = 0; m < m_loops.size(); ++m)
+    {
+      const double reach = m_loops[group.front()].diameter;
+      if(m_is_used[m] || std::find(group.begin(), group.end(), m) != group.end() ||
+         (m_loops[m].center - m_loops[group.front()].center).norm() > reach + m_loops[m].diameter)
+        continue;
+      std::vector<Rim_loop> members(1, m_loops[m]);
+      for(std::size_t g : group)
+        members.push_back(m_loops[g]);
+      if(!open_to_each_other(members))
+        continue;
+      const double gap = distance(m_loops[m], m_loops[group.front()]);
+      if(gap <= reach && (best == no_index || gap < shortest))
+      {
+        best = m;
+        shortest = gap;
+      }
+    }
+    return best;
+  }
+
+  /// Adds the loops of some points that the sampling of a base arrived at. \return whether there are any
+  bool take_in_reached(const std::vector<std::size_t>& points, std::vector<std::size_t>& group) const
+  {
+    const std::size_t before = group.size();
+    for(std::size_t i : points)
+    {
+      const std::size_t m = m_loop_of_point[i];
+      if(m != no_index && !m_is_used[m] && std::find(group.begin(), group.end(), m) == group.end())
+        group.push_back(m);
+    }
+    return group.size() > before;
+  }
+
+private:
+  // the end of a tube is a ring
+  static std::size_t fewest_tube_points() { return 6; }
+
+  // The outward directions meet in a place that all of them lead to. At an acute edge this is not the centre of the rim:
+  // both sides lead to the edge.
+  bool open_to_each_other(const std::vector<Rim_loop>& members) const
+  {
+    Vector center = Vector::Zero(), right = Vector::Zero();
+    Matrix sum = Matrix::Zero();
+    std::size_t number = 0;
+    for(const Rim_loop& loop : members)
+      for(const Rim_point& p : loop.points)
+      {
+        const Matrix across = Matrix::Identity() - p.outward * p.outward.transpose();
+        sum += across;
+        right += across * m_model.position(p.index);
+        center += m_model.position(p.index);
+        ++number;
+      }
+    center /= double(number);
+    // keeps the place near where all directions are parallel
+    const double weight = 0.01 * double(number);
+    const Vector place = (sum + weight * Matrix::Identity()).ldlt().solve(right + weight * center);
+    return std::all_of(members.begin(), members.end(), [&](const Rim_loop& loop) {
+      return loop.opening(m_model.points(), place) >= least_opening(); });
+  }
+
+  double distance(const Rim_loop& a, const Rim_loop& b) const
+  {
+    double shortest = (a.center - b.center).norm();
+    for(const Rim_point& p : a.points)
+      for(const Rim_point& q : b.points)
+        shortest = (std::min)(shortest, (m_model.position(p.index) - m_model.position(q.index)).norm());
+    return shortest;
+  }
+
+  const Model& m_model;
+  const std::vector<Rim_loop>& m_loops;
+  std::vector<std::size_t> m_loop_of_point;
+  std::vector<char> m_is_used;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_RIM_GROUPING_H
