@@ -34,7 +34,6 @@ template <typename ConcurrencyTag>
 class Completion_engine
 {
   typedef Surface_model<ConcurrencyTag> Model;
-  typedef Smooth_patch<ConcurrencyTag> Patch;
   typedef Example_source<ConcurrencyTag> Source;
 
 public:
@@ -83,7 +82,7 @@ public:
     search.alignment = m_parameters.ingredients.alignment;
     const Hole_completion<ConcurrencyTag> completion(*m_model, m_sources, search, m_parameters.keep_texture,
                                                      m_parameters.ingredients);
-    Example_policy<ConcurrencyTag> policy(*m_map, completion, m_patches, chosen, m_added, m_outcomes);
+    Example_policy<ConcurrencyTag> policy(*m_map, completion, m_detected, chosen, m_added, m_outcomes);
     return Completion_loop<Example_policy<ConcurrencyTag> >(policy, callback).run();
   }
 
@@ -93,16 +92,13 @@ public:
 private:
   bool detect_by_rims(const Callback& callback)
   {
-    std::vector<Detected_hole<ConcurrencyTag> > found;
-    if(!Hole_detection<ConcurrencyTag>(*m_model).run(found, callback))
+    m_detected.clear();
+    if(!Hole_detection<ConcurrencyTag>(*m_model).run(m_detected, callback))
       return false;
     m_map = std::make_unique<Hole_map<ConcurrencyTag> >(m_points, spacing(), m_parameters.maximum_depth,
                                                         m_parameters.minimum_cell_points);
-    for(const Detected_hole<ConcurrencyTag>& hole : found)
-    {
-      m_patches.push_back(hole.patch);
+    for(const Detected_hole<ConcurrencyTag>& hole : m_detected)
       m_holes.push_back(describe(hole));
-    }
     m_outcomes.resize(m_holes.size());
     return true;
   }
@@ -204,7 +200,7 @@ private:
   std::unique_ptr<Paper_policy> m_paper;                // the paper's policy keeps its own model
   std::vector<Source> m_sources;
   bool m_is_detected = false;
-  std::vector<std::shared_ptr<const Patch> > m_patches;
+  std::vector<Detected_hole<ConcurrencyTag> > m_detected;   // parallel to m_holes
   std::vector<Hole_data> m_holes;
   std::vector<Hole_outcome> m_outcomes;
   std::vector<Added_point> m_added;

@@ -237,9 +237,8 @@ private:
     for(std::size_t i = 1; i < forecasts.size(); ++i)
       if(best == 0 || forecasts[i].error < forecasts[best].error)
         best = i;
-    // as far as the copy is to be believed: not at all below four fifths
-    const double belief = best == 0 ? 0. : 5 * (forecasts[best].plan.share - 0.8);
-    if(belief <= 0)
+    const double belief = forecasts[best].belief();
+    if(belief == 0)
       return;
     const Eigen::VectorXd difference = predict(forecasts[best].plan, target) - m_smooth.col(column(target));
     forecasts[0].error = std::hypot(forecasts[0].error, belief * difference.cwiseAbs().mean());

@@ -33,9 +33,7 @@ namespace internal {
 template <typename ConcurrencyTag>
 class Example_policy
 {
-  typedef Smooth_patch<ConcurrencyTag> Base;
-  typedef Surface_model<ConcurrencyTag> Model;
-  typedef Example_source<ConcurrencyTag> Source;
+  typedef Detected_hole<ConcurrencyTag> Hole;
 
 public:
   typedef std::size_t Target;                       ///< index of a hole
@@ -43,16 +41,16 @@ public:
   typedef Hole_filling Patch;
 
   /*!
-    \param bases of all holes \param chosen indices of those to fill
+    \param holes all of them \param chosen indices of those to fill
     \param added, outcomes receive the result
   */
   Example_policy(const Hole_map<ConcurrencyTag>& map, const Hole_completion<ConcurrencyTag>& completion,
-                 const std::vector<std::shared_ptr<const Base> >& bases, const std::vector<std::size_t>& chosen,
+                 const std::vector<Hole>& holes, const std::vector<std::size_t>& chosen,
                  std::vector<Added_point>& added, std::vector<Hole_outcome>& outcomes)
-    : m_map(map), m_completion(completion), m_bases(bases), m_chosen(chosen), m_added(added), m_outcomes(outcomes)
+    : m_map(map), m_completion(completion), m_holes(holes), m_chosen(chosen), m_added(added), m_outcomes(outcomes)
   {
     for(std::size_t hole : chosen)
-      m_levels.push_back(map.level(*bases[hole]));
+      m_levels.push_back(map.level(*holes[hole].patch));
   }
 
   /// \name Concept of `Completion_loop`
@@ -78,15 +76,15 @@ public:
     return targets;
   }
 
-  std::size_t number_of_valid_neighbors(Target hole) const { return m_map.number_of_valid_neighbors(*m_bases[hole]); }
+  std::size_t number_of_valid_neighbors(Target hole) const { return m_map.number_of_valid_neighbors(*m_holes[hole].patch); }
 
   bool is_still_invalid(Target) const { return true; }
 
-  Match find_best_match(Target hole) const { return m_completion.find(*m_bases[hole]); }
+  Match find_best_match(Target hole) const { return m_completion.find(m_holes[hole]); }
 
   bool is_found(const Match&) const { return true; }
 
-  Patch transfer(Target hole, const Match& match) const { return m_completion.transfer(*m_bases[hole], match); }
+  Patch transfer(Target, const Match& match) const { return m_completion.transfer(match); }
 
   void insert(Target hole, const Match&, const Patch& patch)
   {
@@ -96,7 +94,7 @@ public:
       m_added.push_back(point);
     }
     m_outcomes[hole] = patch.outcome;
-    m_outcomes[hole].level = m_map.level(*m_bases[hole]);
+    m_outcomes[hole].level = m_map.level(*m_holes[hole].patch);
     ++m_done;
   }
 
@@ -111,7 +109,7 @@ public:
 private:
   const Hole_map<ConcurrencyTag>& m_map;
   const Hole_completion<ConcurrencyTag>& m_completion;
-  const std::vector<std::shared_ptr<const Base> >& m_bases;
+  const std::vector<Hole>& m_holes;
   std::vector<std::size_t> m_chosen;
   std::vector<std::size_t> m_levels;
   std::vector<Added_point>& m_added;

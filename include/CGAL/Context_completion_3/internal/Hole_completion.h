@@ -42,6 +42,7 @@ struct Hole_filling
 template <typename ConcurrencyTag>
 struct Hole_match
 {
+  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< the base that all is seen from
   std::shared_ptr<const Relief_sampler<ConcurrencyTag> > sampler;
   std::vector<Place> places;               ///< source places, best score first
   std::vector<Place_relief> reliefs;       ///< parallel to places
@@ -64,38 +65,24 @@ public:
     : m_known(known), m_sources(sources), m_search(search), m_keep_texture(keep_texture), m_ingredients(ingredients)
   {}
 
-  /// Places, their reliefs, the forecasts of all plans, and the choice between them. The match refers to `patch`.
-  Match find(const Patch& patch) const
+  /// Places, their reliefs, the forecasts of all plans, and the choice between them. Where the base of a hole bulges,
+  /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base that
+  /// is to be believed wins over all but another such copy.
+  Match find(const Detected_hole<ConcurrencyTag>& hole) const
   {
-    Match match;
-    match.sampler = std::make_shared<Relief_sampler<ConcurrencyTag> >(patch, m_sources);
-    const Base_family<ConcurrencyTag> family(patch);
-    const Match_target target = match_target(m_known, patch);
-    match.places = Place_search<ConcurrencyTag>(m_sources, m_search).search(target);
-    match.reliefs.resize(match.places.size());
-    std::vector<std::size_t> indices;
-    for(std::size_t i = 0; i < match.places.size(); ++i)
-      indices.push_back(i);
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
-    {
-      match.reliefs[i] = match.sampler->relief(match.places[i]);
-      return true;
-    });
-    const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
-                                                                          target.radius, m_ingredients);
-    match.forecast = forecast;
-    const std::vector<Plan_forecast> forecasts = forecast->forecasts();
-    match.smooth = match.chosen = forecasts.front();
-    for(const Plan_forecast& f : forecasts)
-      if(f.error < match.chosen.error * (match.chosen.plan.places == 0 ? copy_margin() : 1.))
-        match.chosen = f;
-    return match;
+    const Match match = find_over(hole.patch);
+    if(!hole.stiff)
+      return match;
+    const Match stiff = find_over(hole.stiff);
+    const bool is_better = match.chosen.belief() == 0 || stiff.chosen.error < match.chosen.error;
+    return stiff.chosen.belief() > 0 && is_better ? stiff : match;
   }
 
   /// The points of the chosen plan.
-  Hole_filling transfer(const Patch& patch, const Match& match) const
+  Hole_filling transfer(const Match& match) const
   {
     Hole_filling result;
+    const Patch& patch = *match.patch;
     const Plan_forecast& chosen = match.chosen;
     const Relief_sampler<ConcurrencyTag>& sampler = *match.sampler;
     const Eigen::VectorXd heights = match.forecast->heights(chosen.plan);
@@ -177,6 +164,35 @@ public:
   }
 
 private:
+  Match find_over(const std::shared_ptr<const Patch>& base) const
+  {
+    Match match;
+    match.patch = base;
+    const Patch& patch = *base;
+    match.sampler = std::make_shared<Relief_sampler<ConcurrencyTag> >(patch, m_sources);
+    const Base_family<ConcurrencyTag> family(patch);
+    const Match_target target = match_target(m_known, patch);
+    match.places = Place_search<ConcurrencyTag>(m_sources, m_search).search(target);
+    match.reliefs.resize(match.places.size());
+    std::vector<std::size_t> indices;
+    for(std::size_t i = 0; i < match.places.size(); ++i)
+      indices.push_back(i);
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    {
+      match.reliefs[i] = match.sampler->relief(match.places[i]);
+      return true;
+    });
+    const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
+                                                                          target.radius, m_ingredients);
+    match.forecast = forecast;
+    const std::vector<Plan_forecast> forecasts = forecast->forecasts();
+    match.smooth = match.chosen = forecasts.front();
+    for(const Plan_forecast& f : forecasts)
+      if(f.error < match.chosen.error * (match.chosen.plan.places == 0 ? copy_margin() : 1.))
+        match.chosen = f;
+    return match;
+  }
+
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
   static double copy_margin() { return 0.92; }
 

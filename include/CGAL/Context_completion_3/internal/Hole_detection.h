@@ -34,6 +34,7 @@ struct Detected_hole
 {
   std::vector<Rim_loop> loops;
   std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where the rim opens outwards
+  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< another base, where that of `patch` bulges
   bool is_outer_border = false;
 };
 
@@ -74,7 +75,10 @@ public:
       if(grouping.is_used(order[k]))
         continue;
       if(const auto patch = base_of_whole_rim(loops, grouping, order[k], group))
-        add_hole(patch, holes, grouping, group);
+      {
+        if(add_hole(patch, holes, grouping, group))
+          holes.back().stiff = without_bulge(*patch);
+      }
       else
         left.push_back(order[k]);
     }
@@ -101,16 +105,17 @@ public:
   }
 
 private:
-  static void add_hole(const std::shared_ptr<const Patch>& patch, std::vector<Hole>& holes, Grouping& grouping,
+  static bool add_hole(const std::shared_ptr<const Patch>& patch, std::vector<Hole>& holes, Grouping& grouping,
                        const std::vector<std::size_t>& group)
   {
     grouping.use(group);
     if(!is_evident(*patch))
-      return;
+      return false;
     Hole hole;
     hole.loops = patch->loops();
     hole.patch = patch;
     holes.push_back(hole);
+    return true;
   }
 
   // A hole has room for some points between its rims, and these go around it: at least half of its circumference is
@@ -149,7 +154,8 @@ private:
       std::vector<Rim_loop> members;
       for(std::size_t g : group)
         members.push_back(loops[g]);
-      const std::shared_ptr<const Patch> patch = std::make_shared<const Patch>(m_model, members, is_stiff);
+      const auto surroundings = std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, members);
+      const std::shared_ptr<const Patch> patch = std::make_shared<const Patch>(surroundings, is_stiff);
       if(!patch->is_closed())
         return nullptr;
       if(round == 2 || !grouping.take_in_reached(patch->reached(), group))
@@ -179,6 +185,16 @@ private:
        (!is_faced(*patch) || 2 * patch->number_of_uncovered() < patch->samples().size()))
       return nullptr;
     return patch;
+  }
+
+  // Relief that the rim cuts can lead the base up or down, into a bulge: its area is clearly larger than that of a stiff
+  // base, which passes between. \return the stiff base then, otherwise none
+  static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
+  {
+    const double bulge = 1.15;
+    const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true);
+    const bool is_smaller = double(patch.samples().size()) > bulge * double(stiff->samples().size());
+    return stiff->is_closed() && is_evident(*stiff) && is_smaller ? stiff : nullptr;
   }
 
   // A rim that sharp edges cut into pieces: each piece alone lets the base run off, or opens to nowhere. Loops that

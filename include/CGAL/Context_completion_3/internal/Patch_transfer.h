@@ -118,7 +118,7 @@ private:
   static void join(const Model& model, const std::vector<std::size_t>& indices, std::vector<char>& is_planned)
   {
     std::unordered_map<std::size_t, std::size_t> slot;
-    std::vector<std::size_t> front, ball;
+    std::vector<std::size_t> front, links;
     for(std::size_t k = 0; k < indices.size(); ++k)
     {
       slot.emplace(indices[k], k);
@@ -129,11 +129,11 @@ private:
     {
       const std::size_t i = indices[front.back()];
       front.pop_back();
-      model.search().in_ball(model.position(i), 1.8 * model.area_spacing(i), ball);
-      for(std::size_t j : ball)
+      model.linked_points(i, links);
+      for(std::size_t j : links)
       {
         const auto found = slot.find(j);
-        if(found == slot.end() || is_planned[found->second] || !is_same_side(model.normal(i), model.normal(j)))
+        if(found == slot.end() || is_planned[found->second])
           continue;
         is_planned[found->second] = 1;
         front.push_back(found->second);

@@ -16,8 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
-#include <CGAL/Context_completion_3/internal/Rim_detection.h>
-#include <CGAL/Context_completion_3/internal/Surface_band.h>
+#include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
 
 #include <Eigen/Geometry>
 
@@ -40,14 +39,6 @@ struct Base_sample
   bool is_uncovered = false;   ///< no known point is near: evidence of a hole
 };
 
-/// A denoised point of the surroundings, where the base interpolates position and normal.
-struct Base_center
-{
-  Vector position = Vector::Zero();
-  Vector normal = Vector::Zero();
-  double distance = 0;         ///< to the rim
-};
-
 /*!
   The smooth base over a whole hole: polyharmonic through the surroundings, sampled from the rim inwards. It is the
   coarsest approximation of the missing surface (in place of the quadric of the parent cell, which cannot cover a hole as
@@ -59,33 +50,16 @@ class Smooth_patch
   typedef Surface_model<ConcurrencyTag> Model;
 
 public:
+  typedef Rim_surroundings<ConcurrencyTag> Surroundings;
+
   /// \param is_stiff lets the base miss the surroundings a little, which keeps it from following relief at the rim off
-  Smooth_patch(const Model& model, const std::vector<Rim_loop>& loops, bool is_stiff = false)
-    : m_model(model), m_loops(loops)
+  explicit Smooth_patch(const std::shared_ptr<const Surroundings>& surroundings, bool is_stiff = false)
+    : m_surroundings(surroundings), m_model(surroundings->model()), m_spacing(surroundings->spacing())
   {
-    std::vector<double> spacings, area_spacings;
-    double diameter = 0;
-    for(const Rim_loop& loop : loops)
-    {
-      for(const Rim_point& p : loop.points)
-      {
-        m_rim.push_back(p.index);
-        spacings.push_back(model.spacing(p.index));
-        area_spacings.push_back(model.area_spacing(p.index));
-      }
-      for(const Rim_loop& other : loops)
-        diameter = (std::max)(diameter, (loop.center - other.center).norm() + (loop.diameter + other.diameter) / 2);
-    }
-    m_diameter = diameter;
-    m_spacing = median(spacings);
-    m_area_spacing = median(area_spacings);
-    m_band = surface_band(model, m_rim, band_width());
-    choose_fit_radius();
-    choose_centers();
-    if(m_centers.size() < 4)
+    if(centers().size() < 4)
       return;
     std::vector<Vector> positions;
-    for(const Base_center& c : m_centers)
+    for(const Base_center& c : centers())
       positions.push_back(c.position);
     m_base = is_stiff ? std::make_unique<Polyharmonic_base>(positions, scale(), 1., 300.)
                       : std::make_unique<Polyharmonic_base>(positions, scale());
@@ -96,18 +70,21 @@ public:
       relax();
   }
 
-  const std::vector<Rim_loop>& loops() const { return m_loops; }
-  const std::vector<std::size_t>& rim() const { return m_rim; }
-  const std::vector<Band_point>& band() const { return m_band; }
-  const std::vector<Base_center>& centers() const { return m_centers; }
+  Smooth_patch(const Model& model, const std::vector<Rim_loop>& loops)
+    : Smooth_patch(std::make_shared<const Surroundings>(model, loops))
+  {}
+
+  const std::shared_ptr<const Surroundings>& surroundings() const { return m_surroundings; }
+  const std::vector<Rim_loop>& loops() const { return m_surroundings->loops(); }
+  const std::vector<std::size_t>& rim() const { return m_surroundings->rim(); }
+  const std::vector<Band_point>& band() const { return m_surroundings->band(); }
+  const std::vector<Base_center>& centers() const { return m_surroundings->centers(); }
   const std::vector<Base_sample>& samples() const { return m_samples; }
   const Polyharmonic_base& base() const { return *m_base; }
   double spacing() const { return m_spacing; }
-  double area_spacing() const { return m_area_spacing; }
-  double diameter() const { return m_diameter; }
-
-  /// Radius of the local fits to the surroundings: larger where these are noisy.
-  double fit_radius() const { return m_fit_radius; }
+  double area_spacing() const { return m_surroundings->area_spacing(); }
+  double diameter() const { return m_surroundings->diameter(); }
+  double fit_radius() const { return m_surroundings->fit_radius(); }
 
   /// Whether the base ends at the rim everywhere; otherwise it runs off to infinity: an outer border.
   bool is_closed() const { return m_is_closed; }
@@ -123,14 +100,14 @@ public:
   /// Known points at which the sampling arrived: rims that belong to the same hole.
   const std::vector<std::size_t>& reached() const { return m_reached; }
 
-  double scale() const { return (std::max)(m_diameter / 2, 2 * m_spacing); }
+  double scale() const { return (std::max)(diameter() / 2, 2 * m_spacing); }
 
   /// Right hand side "value 0, gradient = normal" of the centres: the base itself.
   Eigen::MatrixXd normal_data() const
   {
-    Eigen::MatrixXd data = Eigen::MatrixXd::Zero(4 * Eigen::Index(m_centers.size()), 1);
-    for(std::size_t i = 0; i < m_centers.size(); ++i)
-      data.block<3, 1>(4 * Eigen::Index(i) + 1, 0) = m_centers[i].normal;
+    Eigen::MatrixXd data = Eigen::MatrixXd::Zero(4 * Eigen::Index(centers().size()), 1);
+    for(std::size_t i = 0; i < centers().size(); ++i)
+      data.block<3, 1>(4 * Eigen::Index(i) + 1, 0) = centers()[i].normal;
     return data;
   }
 
@@ -157,93 +134,10 @@ public:
   }
 
 private:
-  static double median(std::vector<double> v)
-  {
-    std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
-    return v[v.size() / 2];
-  }
-
-  double band_width() const { return (std::max)(5 * m_area_spacing, 0.45 * m_diameter); }
-
-  // The radius whose fits best predict points that they do not know: noise asks for a large one, relief for a small one.
-  void choose_fit_radius()
-  {
-    const std::size_t most = 150, step = m_band.size() / most + 1;
-    std::vector<std::size_t> buffer;
-    double least = 0;
-    for(double factor : {3., 4., 5.})
-    {
-      const double radius = factor * m_area_spacing;
-      double sum = 0;
-      std::size_t number = 0;
-      for(std::size_t b = 0; b < m_band.size(); b += step)
-      {
-        const std::size_t i = m_band[b].index;
-        Surface_element fit;
-        if(!m_model.quadratic_fit(m_model.position(i), m_model.normal(i), radius, fit, buffer, {i}))
-          continue;
-        sum += std::abs((m_model.position(i) - fit.position).dot(m_model.normal(i)));
-        ++number;
-      }
-      const double error = number > 0 ? sum / double(number) : 0.;
-      if(factor == 3. || error < 0.99 * least)
-      {
-        least = error;
-        m_fit_radius = radius;
-      }
-    }
-  }
-
-  // Dense near the rim, thinner away from it; the number bounds the dense system.
-  void choose_centers()
-  {
-    const std::size_t most = 280;
-    std::vector<std::size_t> chosen;
-    for(double factor = 1; ; factor *= 1.2)
-    {
-      chosen.clear();
-      Point_grid grid(2 * factor * m_spacing);
-      for(std::size_t b = 0; b < m_band.size() && chosen.size() <= most; ++b)
-      {
-        const double room = factor * (std::max)(1.2 * m_spacing, 0.4 * m_band[b].distance);
-        const std::size_t index = m_band[b].index;
-        bool is_free = true;
-        grid.for_each_in_ball(m_model.position(index), room, [&](std::size_t c, double) {
-          is_free = !is_same_side(m_model.normal(index), m_model.normal(m_band[chosen[c]].index));
-          return is_free; });
-        if(!is_free)
-          continue;
-        grid.insert(m_model.position(index));
-        chosen.push_back(b);
-      }
-      if(chosen.size() <= most)
-        break;
-    }
-    std::vector<std::size_t> buffer;
-    for(std::size_t b : chosen)
-    {
-      const std::size_t i = m_band[b].index;
-      Surface_element fit;
-      Base_center center;
-      if(m_model.quadratic_fit(m_model.position(i), m_model.normal(i), fit_radius(), fit, buffer))
-      {
-        center.position = fit.position;
-        center.normal = fit.normal;
-      }
-      else
-      {
-        center.position = m_model.position(i);
-        center.normal = m_model.normal(i);
-      }
-      center.distance = m_band[b].distance;
-      m_centers.push_back(center);
-    }
-  }
-
   // What is covered is decided on the base: relief of any height over it covers the place below.
   void project_band()
   {
-    for(const Band_point& b : m_band)
+    for(const Band_point& b : band())
     {
       Vector x = m_model.position(b.index), normal;
       if(!project(x, normal) || (x - m_model.position(b.index)).norm() > scale() ||
@@ -262,7 +156,7 @@ private:
     for(const Vector& x : m_footprints)
       known.insert(x);
     std::deque<std::pair<std::size_t, Vector> > front;
-    const double length = double(m_rim.size()) * h;
+    const double length = double(rim().size()) * h;
     const std::size_t most = std::size_t(3 * length * length / (4 * 3.1416 * h * h)) + 60;
     std::vector<char> is_reached(m_footprints.size(), 0);
     const auto try_sample = [&](Vector x, const Vector& from, const Vector& from_normal) -> bool
@@ -295,7 +189,7 @@ private:
       m_samples.push_back(sample);
       return true;
     };
-    for(const Rim_loop& loop : m_loops)
+    for(const Rim_loop& loop : loops())
       for(const Rim_point& p : loop.points)
       {
         const Vector from = m_model.position(p.index);
@@ -303,7 +197,7 @@ private:
         try_sample(from + 1.4 * h * p.outward, from, m_model.normal(p.index));
         try_sample(from + h * p.outward, from, m_model.normal(p.index));
       }
-    const double farthest = m_diameter + 6 * h;
+    const double farthest = diameter() + 6 * h;
     while(!front.empty())
     {
       const std::size_t a = front.front().first;
@@ -315,7 +209,7 @@ private:
       const double angle[] = {0, 1.0472, -1.0472, 2.0944, -2.0944, 3.1416};
       for(double t : angle)
         try_sample(sample.position + h * (std::cos(t) * u + std::sin(t) * v), sample.position, sample.normal);
-      if(m_samples.size() > most || (sample.position - m_loops.front().center).norm() > farthest)
+      if(m_samples.size() > most || (sample.position - loops().front().center).norm() > farthest)
       {
         m_is_closed = false;
         return;
@@ -368,18 +262,15 @@ private:
     }
   }
 
+  std::shared_ptr<const Surroundings> m_surroundings;
   const Model& m_model;
-  std::vector<Rim_loop> m_loops;
-  std::vector<std::size_t> m_rim;
-  std::vector<Band_point> m_band;
-  std::vector<Base_center> m_centers;
+  double m_spacing;
   std::unique_ptr<Polyharmonic_base> m_base;
   Eigen::VectorXd m_coefficients;
   std::vector<Vector> m_footprints, m_footprint_normals;
   std::vector<std::size_t> m_footprint_index;
   std::vector<Base_sample> m_samples;
   std::vector<std::size_t> m_reached;
-  double m_spacing = 0, m_area_spacing = 0, m_diameter = 0, m_fit_radius = 0;
   bool m_is_closed = false;
 };
 

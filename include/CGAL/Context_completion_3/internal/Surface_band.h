@@ -49,7 +49,7 @@ std::vector<Band_point> surface_band(const Surface_model<ConcurrencyTag>& model,
     if(distance.emplace(i, 0.).second)
       queue.emplace(0., i);
   std::vector<Band_point> band;
-  std::vector<std::size_t> ball;
+  std::vector<std::size_t> links;
   while(!queue.empty())
   {
     const Entry top = queue.top();
@@ -61,11 +61,9 @@ std::vector<Band_point> surface_band(const Surface_model<ConcurrencyTag>& model,
     point.index = a;
     point.distance = top.first;
     band.push_back(point);
-    model.search().in_ball(model.position(a), 1.8 * model.area_spacing(a), ball);
-    for(std::size_t b : ball)
+    model.linked_points(a, links);
+    for(std::size_t b : links)
     {
-      if(b == a || !is_same_side(model.normal(a), model.normal(b)))
-        continue;
       const double d = top.first + (model.position(a) - model.position(b)).norm();
       if(d > width)
         continue;

@@ -66,10 +66,19 @@ public:
   double area_spacing(std::size_t i) const { return m_area_spacing[i]; }
   double spacing(std::size_t i) const { return m_area_spacing[i] * m_median_spacing / m_median_area_spacing; }
 
+  /// Points that the surface goes on to from point `i`, itself included: those near it on the same side, so that paths over
+  /// them do not reach the far side of a thin part. By increasing index.
+  void linked_points(std::size_t i, std::vector<std::size_t>& found) const
+  {
+    m_search.in_ball(m_points.position[i], 1.8 * m_area_spacing[i], found);
+    found.erase(std::remove_if(found.begin(), found.end(), [&](std::size_t j)
+      { return !is_same_side(m_points.normal[i], m_points.normal[j]); }), found.end());
+  }
+
   /*!
     The surface near `q`, by a quadratic height field over the plane with normal `axis`, weighted by a Gaussian on the
     neighbours of agreeing normal; values at the line through `q` along `axis`.
-    \param left_out flags of points that must not be used, empty: all are used
+    \param left_out indices of points that must not be used
     \return whether the neighbours suffice; fewer than 10 give a plane, none fails.
   */
   bool quadratic_fit(const Vector& q, const Vector& axis, double radius, Surface_element& result,
