@@ -347,15 +347,23 @@ private:
     double sum = 0, total = 0;
     for(std::size_t i = 0; i < m_patch.centers().size(); ++i)
     {
+      const double w = std::exp(-m_patch.centers()[i].distance / (0.4 * m_radius));
+      const bool is_found = m_reliefs[j].is_found[i] != 0, is_expected = k == target || m_reliefs[k].is_found[i] != 0;
+      if(!is_found || !is_expected)
+      {
+        // a wall that only one of them has is as bad as can be
+        sum += is_found != is_expected ? (1 + kappa) * w : 0.;
+        total += is_found != is_expected ? w : 0.;
+        continue;
+      }
       Eigen::Vector4d d = m_reliefs[j].rim.template segment<4>(4 * Eigen::Index(i));
       if(k != target)
         d -= m_reliefs[k].rim.template segment<4>(4 * Eigen::Index(i));
-      const double w = std::exp(-m_patch.centers()[i].distance / (0.4 * m_radius));
       const double value = d[0] / tau, slope = d.template tail<3>().norm();
       sum += w * ((std::min)(1., value * value) + kappa * (std::min)(1., slope * slope / 2));
       total += w;
     }
-    return sum / total + 2 * (std::max)(0., 0.97 - m_reliefs[j].coverage);
+    return (total > 0 ? sum / total : 1 + kappa) + 2 * (std::max)(0., 0.97 - m_reliefs[j].coverage);
   }
 
   // Other places by their match to place `k`; a place that overlaps it would know the truth.

@@ -64,21 +64,22 @@ public:
                                   const Eigen::VectorXd& heights, double tolerance) const
   {
     std::vector<Added_point> result;
-    Point_grid grid(m_patch.spacing());
+    Point_grid grid(m_patch.spacing()), feet(m_patch.spacing());
     if(place != nullptr)
-      carry(*place, displacement, heights, tolerance, grid, result);
-    raise(place, heights, grid, result);
+      carry(*place, displacement, heights, tolerance, grid, feet, result);
+    raise(place, heights, feet, grid, result);
     return result;
   }
 
 private:
   void carry(const Place& place, const Eigen::VectorXd& displacement, const Eigen::VectorXd& heights, double tolerance,
-             Point_grid& grid, std::vector<Added_point>& result) const
+             Point_grid& grid, Point_grid& feet, std::vector<Added_point>& result) const
   {
     const Source& source = m_sources[place.source];
     std::vector<std::size_t> indices;
     m_sampler.carried_points(place, indices);
     std::vector<Added_point> carried;
+    std::vector<Vector> carried_foot;
     std::vector<std::size_t> carried_index;
     std::vector<char> is_planned;
     for(std::size_t i : indices)
@@ -106,11 +107,15 @@ private:
       point.source_set = source.set;
       carried.push_back(point);
       carried_index.push_back(i);
+      carried_foot.push_back(x - up * b.normal);
     }
     join(*source.model, carried_index, is_planned);
     for(std::size_t k = 0; k < carried.size(); ++k)
       if(is_planned[k])
+      {
+        feet.insert(carried_foot[k]);
         add(carried[k], 0.6, 0.8, 1.2, grid, result);
+      }
   }
 
   // Walls and overhangs that the planned heights miss belong to the surface as far as they hang together with it; the
@@ -141,13 +146,19 @@ private:
     }
   }
 
-  void raise(const Place* place, const Eigen::VectorXd& heights, Point_grid& grid,
+  // Where a carried point is above or below a sample, it says where the surface is, and the planned height between a ledge
+  // and what is under it does not.
+  void raise(const Place* place, const Eigen::VectorXd& heights, const Point_grid& feet, Point_grid& grid,
              std::vector<Added_point>& result) const
   {
     const double room = place == nullptr ? 0.5 : 1.15;
     for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
     {
       const Base_sample& b = m_patch.samples()[s];
+      bool is_known = false;
+      feet.for_each_in_ball(b.position, 0.8 * m_patch.spacing(), [&](std::size_t, double) { is_known = true; return false; });
+      if(is_known)
+        continue;
       double height; Vector gradient, direction;
       interpolate(s, b.position, heights, height, gradient, direction);
       Added_point point;

@@ -39,7 +39,8 @@ struct Place_relief
 {
   Eigen::VectorXd height;             ///< per base sample
   std::vector<char> is_covered;       ///< per base sample: the source has a surface there
-  Eigen::VectorXd rim;                ///< per centre: value, then gradient (4 numbers)
+  Eigen::VectorXd rim;                ///< per centre: value, then gradient (4 numbers), 0 where nothing is found
+  std::vector<char> is_found;         ///< per centre: the source has a surface there that faces the same way
   double coverage = 0;                ///< share of covered samples
 };
 
@@ -200,6 +201,7 @@ private:
     const std::vector<Base_center>& centers = m_patch.centers();
     const Eigen::Index n = Eigen::Index(centers.size());
     result.rim = Eigen::VectorXd::Zero(4 * n);
+    result.is_found.assign(centers.size(), 0);
     const double limit = 0.5 * m_reach;
     const std::unordered_set<std::size_t> inside = points_inside(place);
     std::vector<std::size_t> buffer;
@@ -214,6 +216,7 @@ private:
       const double height = axis.dot(fit.position - place.motion.inverse(c.position));
       if(facing < 0.3 || std::abs(height) > limit)
         continue;
+      result.is_found[std::size_t(i)] = 1;
       result.rim[4 * i] = height;
       result.rim.segment<3>(4 * i + 1) = -place.motion.normal(fit.normal - facing * axis) / facing;
     }
