@@ -19,7 +19,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -387,6 +390,85 @@ TEST(Default_policy, A_hole_across_steep_ridges_is_found_and_filled_from_their_r
   for(const auto& p : added)
     sum += samples::nearest_distance(p, truth);
   EXPECT_LT(sum / double(added.size()), 0.6 * result.spacing);
+}
+
+TEST(Default_policy, Tiles_whose_relief_leads_the_base_astray_are_filled_from_other_tiles)
+{
+  const samples::Samples tiles = samples::steep_graph(80, 60, 0.8, samples::tiles_height);
+  samples::Samples removed;
+  const Completion result = sequential(samples::without_ball(tiles, samples::Point(40, 30, 1.5), 10., &removed));
+  ASSERT_EQ(result.chosen.size(), 1u);
+  EXPECT_EQ(result.outcomes[result.chosen.front()].filling, Filling::copied);
+  std::vector<Vector> truth, added;
+  for(const samples::Oriented_point& p : removed)
+    truth.push_back(samples::engine_vector(p.first));
+  for(const Added_point& p : result.added)
+    added.push_back(p.position);
+  ASSERT_FALSE(added.empty());
+  // as near as two samplings of the same surface are
+  double sum = 0;
+  for(const Vector& p : truth)
+    sum += samples::nearest_distance(p, added);
+  EXPECT_LT(sum / double(truth.size()), 0.6 * result.spacing);
+  sum = 0;
+  for(const Vector& p : added)
+    sum += samples::nearest_distance(p, truth);
+  EXPECT_LT(sum / double(added.size()), 0.6 * result.spacing);
+}
+
+TEST(Copy_forecast, A_place_without_a_wall_of_the_rim_does_not_match)
+{
+  typedef CGAL::Sequential_tag Tag;
+  // a block with a hole at one of its edges: the rim is on top and on the wall
+  const double length = 60, width = 24, height = 16;
+  samples::Random_offsets offset(9);
+  samples::Samples block;
+  const auto add = [&](double x, double y, double z, const samples::Vector& normal)
+  {
+    if(std::hypot(std::hypot(x - length / 2, y - 1), z - height) > 6)
+      block.push_back(samples::Oriented_point(samples::Point(x, y, z), normal));
+  };
+  for(int i = 0; i < length; ++i)
+  {
+    for(int j = 0; j < width; ++j)
+    {
+      const double x = i + 0.5 + 0.15 * offset(), y = j + 0.5 + 0.15 * offset();
+      add(x, y, height, samples::Vector(0, 0, 1));
+    }
+    for(int k = 0; k < height; ++k)
+    {
+      const double x = i + 0.5 + 0.15 * offset(), z = k + 0.5 + 0.15 * offset();
+      add(x, 0, z, samples::Vector(0, -1, 0));
+    }
+  }
+  std::vector<Example_source<Tag> > sources(1);
+  sources[0].points = std::make_shared<Surface_points>(samples::engine_points(block));
+  sources[0].model = std::make_shared<Surface_model<Tag> >(*sources[0].points);
+  const Surface_model<Tag>& model = *sources[0].model;
+  std::vector<Detected_hole<Tag> > holes;
+  ASSERT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+  std::shared_ptr<const Smooth_patch<Tag> > patch;
+  for(const Detected_hole<Tag>& h : holes)
+    if(!h.is_outer_border)
+      patch = h.patch;
+  ASSERT_TRUE(patch != nullptr);
+
+  std::vector<Place> places(2);
+  places[0].motion.translation = Vector(14, 0, 0);      // farther along the edge
+  places[1].motion.translation = Vector(14, -12, 0);    // the middle of the top: flat, without the wall
+  const Relief_sampler<Tag> sampler(*patch, sources);
+  std::vector<Place_relief> reliefs;
+  for(Place& p : places)
+  {
+    p.origin = p.motion.inverse(Vector(length / 2, 1, height));
+    reliefs.push_back(sampler.relief(p));
+  }
+  EXPECT_EQ(std::count(reliefs[0].is_found.begin(), reliefs[0].is_found.end(), 0), 0);
+  EXPECT_GT(std::count(reliefs[1].is_found.begin(), reliefs[1].is_found.end(), 0), 10);
+  const Copy_forecast<Tag> forecast(*patch, Base_family<Tag>(*patch), places, reliefs, 6., Ingredients());
+  EXPECT_LT(forecast.match(0), 0.02);
+  EXPECT_GT(forecast.match(1), 0.3);
+  EXPECT_EQ(forecast.ranking().front(), 0u);
 }
 
 TEST(Default_policy, What_lies_behind_the_surface_is_not_copied_with_it)

@@ -503,6 +503,38 @@ TEST(Hole_detection, Sheet_with_hole_has_one_hole)
   }
 }
 
+TEST(Hole_detection, A_base_that_bulges_has_a_stiff_one_beside_it)
+{
+  const samples::Point center(40, 30, 1.5);
+  const Surface_points points = samples::engine_points(
+    samples::without_ball(samples::steep_graph(80, 60, 0.8, samples::tiles_height), center, 10.));
+  const Model model(points);
+  const std::vector<Detected> holes = detected(model);
+  ASSERT_EQ(number_of_closed(holes), 1u);
+  for(const Detected& h : holes)
+  {
+    if(h.is_outer_border)
+      continue;
+    ASSERT_TRUE(h.stiff != nullptr);
+    EXPECT_EQ(h.stiff->surroundings(), h.patch->surroundings());
+    EXPECT_LT(1.15 * double(h.stiff->samples().size()), double(h.patch->samples().size()));
+    for(const Base_sample& s : h.stiff->samples())
+      EXPECT_GT(s.normal.z(), 0.7);
+  }
+}
+
+TEST(Hole_detection, A_base_that_does_not_bulge_is_alone)
+{
+  for(const samples::Samples& surface : { samples::plane_with_hole(), samples::bumpy_plane_with_hole(),
+        samples::without_ball(samples::sphere(3000, 15.5), samples::Point(0, 0, 15.5), 6.) })
+  {
+    const Surface_points points = samples::engine_points(surface);
+    const Model model(points);
+    for(const Detected& h : detected(model))
+      EXPECT_TRUE(h.stiff == nullptr);
+  }
+}
+
 TEST(Hole_detection, Intact_surfaces_have_no_hole)
 {
   for(const samples::Samples& surface : { samples::plane(32), samples::bumpy_plane(48, 1., 8., 1.),

@@ -16,9 +16,11 @@
 #include <CGAL/Point_set_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <random>
 #include <utility>
 #include <vector>
@@ -86,6 +88,48 @@ inline Samples bumpy_plane(std::size_t rows, double spacing, double period, doub
     [=](double x, double y)
       { return std::make_pair(bump * k * std::cos(k * x) * std::sin(k * y),
                               bump * k * std::sin(k * x) * std::cos(k * y)); }, jitter, seed);
+}
+
+/// Points of the graph of a steep `height` over [0, width] x [0, depth], no two closer than `distance`.
+inline Samples steep_graph(double width, double depth, double distance, const std::function<double(double, double)>& height,
+                           unsigned int seed = 1)
+{
+  Random_offsets offset(seed);
+  Samples dense, even;
+  const double fine = 0.35 * distance, step = 1e-5;
+  for(double x = 0; x < width; x += fine)
+    for(double y = 0; y < depth; y += fine)
+    {
+      const double u = x + 0.5 * fine * offset(), v = y + 0.5 * fine * offset();
+      dense.emplace_back(Point(u, v, height(u, v)),
+        unit(Vector((height(u - step, v) - height(u + step, v)) / (2 * step),
+                    (height(u, v - step) - height(u, v + step)) / (2 * step), 1.)));
+    }
+  std::mt19937 engine(seed);
+  for(std::size_t i = dense.size(); i > 1; --i)
+    std::swap(dense[i - 1], dense[engine() % i]);
+  std::map<std::array<int, 3>, std::vector<Point> > buckets;
+  for(const Oriented_point& s : dense)
+  {
+    const int x = int(std::floor(s.first.x() / distance)), y = int(std::floor(s.first.y() / distance)),
+              z = int(std::floor(s.first.z() / distance));
+    bool is_free = true;
+    for(int i = 0; i < 27; ++i)
+      for(const Point& p : buckets[{{ x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1 }}])
+        is_free = is_free && CGAL::squared_distance(p, s.first) >= distance * distance;
+    if(!is_free)
+      continue;
+    buckets[{{ x, y, z }}].push_back(s.first);
+    even.push_back(s);
+  }
+  return even;
+}
+
+/// Rows of tiles, each round across and rising along the slope to a steep edge: relief of 2.4 that a rim cuts anywhere.
+inline double tiles_height(double x, double y)
+{
+  const double row = std::floor(y / 8), along = y / 8 - row, ramp = along < 0.1 ? along / 0.1 : (1 - along) / 0.9;
+  return 2.4 * ramp * (0.5 + std::abs(std::sin(pi * (x / 6.4 + 0.5 * row))));
 }
 
 /// The i-th of n directions on a spiral from pole to pole with steps of the golden angle.
