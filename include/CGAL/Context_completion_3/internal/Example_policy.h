@@ -76,7 +76,10 @@ public:
     return targets;
   }
 
-  std::size_t number_of_valid_neighbors(Target hole) const { return m_map.number_of_valid_neighbors(*m_holes[hole].patch); }
+  std::size_t number_of_valid_neighbors(Target hole) const
+  {
+    return m_map.number_of_valid_neighbors(*m_holes[hole].patch);
+  }
 
   bool is_still_invalid(Target) const { return true; }
 

@@ -160,6 +160,9 @@ public:
     }
     target.overlap = at_most(overlap, 400);
     target.base = at_most(base, 100);
+    for(const Match_probe& p : target.overlap)
+      target.around.push_back(
+        smoothed_place(known, p.position, p.normal, Place_search<ConcurrencyTag>::smoothing(target)));
     return target;
   }
 

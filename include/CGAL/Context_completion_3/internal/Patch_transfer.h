@@ -156,7 +156,9 @@ private:
     {
       const Base_sample& b = m_patch.samples()[s];
       bool is_known = false;
-      feet.for_each_in_ball(b.position, 0.8 * m_patch.spacing(), [&](std::size_t, double) { is_known = true; return false; });
+      feet.for_each_in_ball(b.position, 0.8 * m_patch.spacing(), [&](std::size_t, double) {
+        is_known = true;
+        return false; });
       if(is_known)
         continue;
       double height; Vector gradient, direction;

@@ -16,6 +16,8 @@
 
 #include <CGAL/Context_completion_3/internal/Example_source.h>
 #include <CGAL/Context_completion_3/internal/Overlap_alignment.h>
+#include <CGAL/Context_completion_3/internal/Place_descriptor.h>
+#include <CGAL/Context_completion_3/internal/Place_shortlist.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 
 #include <Eigen/Geometry>
@@ -46,6 +48,7 @@ struct Match_target
   double spacing = 0;
   std::vector<Match_probe> overlap;         ///< known surroundings
   std::vector<Match_probe> base;            ///< the current approximation inside, of less weight
+  std::vector<Smoothed_place> around;       ///< known surroundings, smoothed: what the shortlist goes by
 };
 
 struct Search_settings
@@ -53,7 +56,7 @@ struct Search_settings
   std::size_t number_of_turns = 24;
   bool mirror = true;
   bool alignment = true;
-  std::size_t number_of_places = 4000;      ///< at most so many source places are tried
+  std::size_t number_of_places = 2000;      ///< at most so many places of a source are tried
   std::size_t number_of_results = 24;
 };
 
@@ -61,8 +64,10 @@ struct Search_settings
   Candidates and best matches of the default policy (paper, section 6.3): source places anywhere on the surface in local
   frames, turned about the normal and mirrored, instead of axis-aligned cells.
 
-  Three rounds, each keeping less and measuring better: all places and turns on a coarse set of probes, up to a shift
-  along the normal and a tilt; a short alignment of the best; the full alignment and the exact score of what remains.
+  Places are spread as densely as their number allows; on surfaces that are large against the hole a shortlist of them
+  goes on. Then three rounds, each keeping less and measuring better: all places and turns on a coarse set of probes, up
+  to a shift along the normal and a tilt; a short alignment of the best; the full alignment and the exact score of what
+  remains.
 */
 template <typename ConcurrencyTag>
 class Place_search
@@ -78,6 +83,9 @@ class Place_search
   };
 
 public:
+  /// Deviation of the smoothing of places.
+  static double smoothing(const Match_target& target) { return 0.25 * target.radius; }
+
   Place_search(const std::vector<Source>& sources, const Search_settings& settings)
     : m_sources(sources), m_settings(settings)
   {}
@@ -169,11 +177,28 @@ private:
   // Smoothed at a quarter of the radius: the frame of the place must be that of its base, not of its detail.
   std::vector<Surface_frame> source_frames(const Model& model, const Match_target& target) const
   {
+    const std::vector<std::size_t> chosen = spread_places(model, target);
+    std::vector<Smoothed_place> places(chosen.size());
+    const std::vector<std::size_t> indices = sequence(chosen.size());
+    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t k) -> bool
+    {
+      places[k] = smoothed_place(model, model.position(chosen[k]), model.normal(chosen[k]), smoothing(target));
+      return true;
+    });
+    std::vector<Surface_frame> frames;
+    for(std::size_t k : shortlist(places, target))
+      frames.push_back(places[k].frame);
+    return frames;
+  }
+
+  // Evenly spread points: no more than are asked for, unless they would be too far apart to be found from each other.
+  std::vector<std::size_t> spread_places(const Model& model, const Match_target& target) const
+  {
+    const double farthest = (std::max)(1.5 * target.spacing, 0.3 * target.radius);
     double distance = (std::max)(1.5 * target.spacing, 0.15 * target.radius);
-    std::vector<std::size_t> chosen;
     for(;;)
     {
-      chosen.clear();
+      std::vector<std::size_t> chosen;
       Point_grid grid(distance);
       for(std::size_t i = 0; i < model.size(); ++i)
       {
@@ -187,34 +212,41 @@ private:
           chosen.push_back(i);
         }
       }
-      if(chosen.size() <= m_settings.number_of_places)
-        break;
-      distance *= (std::max)(1.1, std::sqrt(double(chosen.size()) / double(m_settings.number_of_places)));
+      // the shortlist has a price, too: so many places are described for each that is tried
+      const std::size_t most = (distance < farthest ? 1 : 30) * m_settings.number_of_places;
+      if(chosen.size() <= most)
+        return chosen;
+      const double larger = distance * (std::max)(1.1, std::sqrt(double(chosen.size()) / double(most)));
+      distance = distance < farthest ? (std::min)(farthest, larger) : larger;
     }
-    std::vector<Surface_frame> frames(chosen.size());
-    const double sigma = 0.25 * target.radius;
-    const std::vector<std::size_t> indices = sequence(chosen.size());
+  }
+
+  // Of more places than are to be tried, those whose surroundings resemble those of the hole.
+  std::vector<std::size_t> shortlist(const std::vector<Smoothed_place>& places, const Match_target& target) const
+  {
+    if(places.size() <= m_settings.number_of_places)
+      return sequence(places.size());
+    std::vector<Vector> origins;
+    for(const Smoothed_place& place : places)
+      origins.push_back(place.frame.origin);
+    const Neighbor_search search(origins);
+    std::vector<const Smoothed_place*> around;
+    for(const Smoothed_place& place : target.around)
+      around.push_back(&place);
+    const Place_descriptor wanted(target.frame, around, target.radius);
+    std::vector<Place_descriptor> descriptors(places.size(), wanted);
+    const std::vector<std::size_t> indices = sequence(places.size());
     CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t k) -> bool
     {
-      const std::size_t i = chosen[k];
       std::vector<std::size_t> ball;
-      model.search().in_ball(model.position(i), 1.6 * sigma, ball);
-      Vector position = Vector::Zero(), normal = Vector::Zero();
-      double total = 0;
+      search.in_ball(origins[k], 1.5 * Place_descriptor::reach() * target.radius, ball);
+      std::vector<const Smoothed_place*> neighbors;
       for(std::size_t j : ball)
-        if(is_same_side(model.normal(i), model.normal(j)))
-        {
-          const double w = std::exp(-(model.position(j) - model.position(i)).squaredNorm() / (2 * sigma * sigma));
-          position += w * model.position(j);
-          normal += w * model.normal(j);
-          total += w;
-        }
-      frames[k].origin = position / total;
-      frames[k].normal = normal.norm() > 1e-6 * total ? normal.normalized() : model.normal(i);
-      frames[k].axis = frames[k].normal.unitOrthogonal();
+        neighbors.push_back(&places[j]);
+      descriptors[k] = Place_descriptor(places[k].frame, neighbors, target.radius);
       return true;
     });
-    return frames;
+    return Place_shortlist(descriptors).nearest(wanted, m_settings.number_of_places);
   }
 
   // All turns of all places; the three best of a place go on.
