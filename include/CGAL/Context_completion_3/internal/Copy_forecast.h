@@ -277,7 +277,7 @@ private:
       spread += w[i] * d * d;
     }
     const double center = mean_y + slope * step;
-    forecast.error = std::exp(center) - floor;
+    forecast.error = (std::max)(0., std::exp(center) - floor);
     // a standard deviation, and a quarter for what fake holes cannot show, by generated cases of known truth
     forecast.upper = 1.25 * std::exp(center + std::sqrt(spread + 0.06)) - floor;
   }

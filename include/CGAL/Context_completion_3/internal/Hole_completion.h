@@ -191,13 +191,17 @@ private:
     const std::vector<Plan_forecast> forecasts = forecast->forecasts();
     match.smooth = match.chosen = forecasts.front();
     for(const Plan_forecast& f : forecasts)
-      if(f.error < match.chosen.error * (match.chosen.plan.places == 0 ? copy_margin() : 1.))
+      if(f.error < (match.chosen.plan.places > 0 ? match.chosen.error
+                                                 : copy_margin() * match.chosen.error - rounding() * patch.spacing()))
         match.chosen = f;
     return match;
   }
 
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
   static double copy_margin() { return 0.92; }
+
+  // In spacings: on a plane both are exact, and the last bits must not decide.
+  static double rounding() { return 1e-6; }
 
   // Lets carried points keep a texture. With nothing else to copy, it may be that of a place that matches less well.
   void add_texture(const Patch& patch, const Match& match, const Eigen::VectorXd& heights, const Place*& place,
