@@ -346,6 +346,27 @@ TEST(Default_policy, A_lonely_feature_is_filled_from_its_only_twin)
   EXPECT_LT(error / double(result.added.size()), 0.15);
 }
 
+// The only hole is filled with a copy, as near to what was removed as two samplings of the same surface are.
+void expect_copy(const Completion& result, const samples::Samples& removed)
+{
+  ASSERT_EQ(result.chosen.size(), 1u);
+  EXPECT_EQ(result.outcomes[result.chosen.front()].filling, Filling::copied);
+  std::vector<Vector> truth, added;
+  for(const samples::Oriented_point& p : removed)
+    truth.push_back(samples::engine_vector(p.first));
+  for(const Added_point& p : result.added)
+    added.push_back(p.position);
+  ASSERT_FALSE(added.empty());
+  double sum = 0;
+  for(const Vector& p : truth)
+    sum += samples::nearest_distance(p, added);
+  EXPECT_LT(sum / double(truth.size()), 0.6 * result.spacing);
+  sum = 0;
+  for(const Vector& p : added)
+    sum += samples::nearest_distance(p, truth);
+  EXPECT_LT(sum / double(added.size()), 0.6 * result.spacing);
+}
+
 // The flanks of the ridges look away from each other: an interpolating base over a hole across them runs off.
 samples::Samples steep_ridges()
 {
@@ -374,22 +395,7 @@ TEST(Default_policy, A_hole_across_steep_ridges_is_found_and_filled_from_their_r
   samples::Samples removed;
   const samples::Point center(45, 22, 0);
   const Completion result = sequential(samples::without_ball(ridges, center, 9., &removed));
-  ASSERT_EQ(result.chosen.size(), 1u);
-  EXPECT_EQ(result.outcomes[result.chosen.front()].filling, Filling::copied);
-  std::vector<Vector> truth, added;
-  for(const samples::Oriented_point& p : removed)
-    truth.push_back(samples::engine_vector(p.first));
-  for(const Added_point& p : result.added)
-    added.push_back(p.position);
-  ASSERT_FALSE(added.empty());
-  double sum = 0;
-  for(const auto& p : truth)
-    sum += samples::nearest_distance(p, added);
-  EXPECT_LT(sum / double(truth.size()), 0.6 * result.spacing);
-  sum = 0;
-  for(const auto& p : added)
-    sum += samples::nearest_distance(p, truth);
-  EXPECT_LT(sum / double(added.size()), 0.6 * result.spacing);
+  expect_copy(result, removed);
 }
 
 TEST(Default_policy, Tiles_whose_relief_leads_the_base_astray_are_filled_from_other_tiles)
@@ -397,23 +403,7 @@ TEST(Default_policy, Tiles_whose_relief_leads_the_base_astray_are_filled_from_ot
   const samples::Samples tiles = samples::steep_graph(80, 60, 0.8, samples::tiles_height);
   samples::Samples removed;
   const Completion result = sequential(samples::without_ball(tiles, samples::Point(40, 30, 1.5), 10., &removed));
-  ASSERT_EQ(result.chosen.size(), 1u);
-  EXPECT_EQ(result.outcomes[result.chosen.front()].filling, Filling::copied);
-  std::vector<Vector> truth, added;
-  for(const samples::Oriented_point& p : removed)
-    truth.push_back(samples::engine_vector(p.first));
-  for(const Added_point& p : result.added)
-    added.push_back(p.position);
-  ASSERT_FALSE(added.empty());
-  // as near as two samplings of the same surface are
-  double sum = 0;
-  for(const Vector& p : truth)
-    sum += samples::nearest_distance(p, added);
-  EXPECT_LT(sum / double(truth.size()), 0.6 * result.spacing);
-  sum = 0;
-  for(const Vector& p : added)
-    sum += samples::nearest_distance(p, truth);
-  EXPECT_LT(sum / double(added.size()), 0.6 * result.spacing);
+  expect_copy(result, removed);
 }
 
 TEST(Copy_forecast, A_place_without_a_wall_of_the_rim_does_not_match)

@@ -349,13 +349,13 @@ private:
     {
       const double w = std::exp(-m_patch.centers()[i].distance / (0.4 * m_radius));
       const bool is_found = m_reliefs[j].is_found[i] != 0, is_expected = k == target || m_reliefs[k].is_found[i] != 0;
-      if(!is_found || !is_expected)
+      if(is_found != is_expected) // a wall that only one of them has is as bad as can be
       {
-        // a wall that only one of them has is as bad as can be
-        sum += is_found != is_expected ? (1 + kappa) * w : 0.;
-        total += is_found != is_expected ? w : 0.;
-        continue;
+        sum += (1 + kappa) * w;
+        total += w;
       }
+      if(!is_found || !is_expected)
+        continue;
       Eigen::Vector4d d = m_reliefs[j].rim.template segment<4>(4 * Eigen::Index(i));
       if(k != target)
         d -= m_reliefs[k].rim.template segment<4>(4 * Eigen::Index(i));

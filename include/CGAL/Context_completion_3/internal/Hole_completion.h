@@ -66,8 +66,8 @@ public:
   {}
 
   /// Places, their reliefs, the forecasts of all plans, and the choice between them. Where the base of a hole bulges,
-  /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base that
-  /// is to be believed wins over all but another such copy.
+  /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base
+  /// that is to be believed wins over all but another such copy.
   Match find(const Detected_hole<ConcurrencyTag>& hole) const
   {
     const Match match = find_over(hole.patch);

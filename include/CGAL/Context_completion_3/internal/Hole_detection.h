@@ -187,8 +187,8 @@ private:
     return patch;
   }
 
-  // Relief that the rim cuts can lead the base up or down, into a bulge: its area is clearly larger than that of a stiff
-  // base, which passes between. \return the stiff base then, otherwise none
+  // Relief that the rim cuts can lead the base up or down, into a bulge: its area, by the number of samples, is clearly
+  // larger than that of a stiff base, which passes between. \return the stiff base then, otherwise none
   static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
   {
     const double bulge = 1.15;

@@ -146,8 +146,8 @@ private:
     }
   }
 
-  // Where a carried point is above or below a sample, it says where the surface is, and the planned height between a ledge
-  // and what is under it does not.
+  // Where a carried point is above or below a sample, it says where the surface is, and the planned height between a
+  // ledge and what is under it does not.
   void raise(const Place* place, const Eigen::VectorXd& heights, const Point_grid& feet, Point_grid& grid,
              std::vector<Added_point>& result) const
   {

@@ -36,8 +36,8 @@ struct Base_center
   double distance = 0;         ///< to the rim
 };
 
-/// What is known around the rims of a hole: its size, the points near it, and a denoised choice of them that a base is to
-/// continue.
+/// What is known around the rims of a hole: its size, the points near it, and a denoised choice of them that a base is
+/// to continue. Lengths are those of the input.
 template <typename ConcurrencyTag>
 class Rim_surroundings
 {

@@ -70,10 +70,6 @@ public:
       relax();
   }
 
-  Smooth_patch(const Model& model, const std::vector<Rim_loop>& loops)
-    : Smooth_patch(std::make_shared<const Surroundings>(model, loops))
-  {}
-
   const std::shared_ptr<const Surroundings>& surroundings() const { return m_surroundings; }
   const std::vector<Rim_loop>& loops() const { return m_surroundings->loops(); }
   const std::vector<std::size_t>& rim() const { return m_surroundings->rim(); }
