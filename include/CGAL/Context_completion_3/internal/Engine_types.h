@@ -81,6 +81,8 @@ struct Ingredients
   bool warp = true;          ///< copies are warped to the rim
   bool averaging = true;     ///< several places may be averaged
   bool fake_holes = true;    ///< fake holes decide; otherwise the best place is always copied
+  bool levels = true;        ///< pieces of the hole are matched anew at finer levels
+  bool coherence = true;     ///< pieces try the places of the whole hole and of their neighbours
   bool kriging = true;       ///< smooth bases may continue what their trend misses as a random field
 };
 

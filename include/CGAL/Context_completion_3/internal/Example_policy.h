@@ -27,18 +27,42 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  The default policy of the `Completion_loop`. The targets of a level are the holes that a cell of that level just holds,
-  so large holes are filled before small ones, on the coarse surface that their own size calls for.
+  The default policy of the `Completion_loop`. A hole is filled as a whole at the level whose cells just hold it, so large
+  holes come before small ones, each on the coarse surface that its own size calls for. The levels below fill pieces of it
+  anew, each as large as a cell, those first whose surroundings are known best. The points follow its last level.
 */
 template <typename ConcurrencyTag>
 class Example_policy
 {
   typedef Detected_hole<ConcurrencyTag> Hole;
+  typedef Hole_refinement<ConcurrencyTag> Refinement;
+
+  struct Progress
+  {
+    std::size_t first_level = 0, last_level = 0, finest_copy = 0;
+    Hole_match<ConcurrencyTag> match;
+    std::unique_ptr<Refinement> refinement;          // once the hole has been filled as a whole
+  };
 
 public:
-  typedef std::size_t Target;                       ///< index of a hole
-  typedef Hole_match<ConcurrencyTag> Match;
-  typedef Hole_filling Patch;
+  /// A hole or a piece of it.
+  struct Target
+  {
+    std::size_t chosen;                              ///< index into the chosen holes
+    std::size_t piece;                               ///< `no_index`: the whole hole
+  };
+
+  struct Match
+  {
+    Hole_match<ConcurrencyTag> hole;
+    Piece_match<ConcurrencyTag> piece;
+  };
+
+  struct Patch
+  {
+    Hole_relief hole;
+    Piece_filling piece;
+  };
 
   /*!
     \param holes all of them \param chosen indices of those to fill
@@ -47,77 +71,153 @@ public:
   Example_policy(const Hole_map<ConcurrencyTag>& map, const Hole_completion<ConcurrencyTag>& completion,
                  const std::vector<Hole>& holes, const std::vector<std::size_t>& chosen,
                  std::vector<Added_point>& added, std::vector<Hole_outcome>& outcomes)
-    : m_map(map), m_completion(completion), m_holes(holes), m_chosen(chosen), m_added(added), m_outcomes(outcomes)
+    : m_map(map), m_completion(completion), m_holes(holes), m_chosen(chosen), m_added(added), m_outcomes(outcomes),
+      m_progress(chosen.size())
   {
-    for(std::size_t hole : chosen)
-      m_levels.push_back(map.level(*holes[hole].patch));
+    for(std::size_t i = 0; i < chosen.size(); ++i)
+      m_progress[i].first_level = m_progress[i].last_level = map.level(*holes[chosen[i]].patch);
   }
 
   /// \name Concept of `Completion_loop`
   /// @{
   std::size_t first_level() const
   {
-    return m_levels.empty() ? 0 : *std::min_element(m_levels.begin(), m_levels.end());
+    std::size_t level = no_index;
+    for(const Progress& p : m_progress)
+      level = (std::min)(level, p.first_level);
+    return m_progress.empty() ? 0 : level;
   }
 
-  bool is_last_level(std::size_t level) const
+  bool is_last_level(std::size_t level) const { return level >= last_level(); }
+
+  void begin_level(std::size_t level)
   {
-    return m_levels.empty() || level >= *std::max_element(m_levels.begin(), m_levels.end());
+    for(Progress& p : m_progress)
+      if(p.refinement && level <= p.last_level)
+        p.refinement->begin_level(level - p.first_level);
   }
-
-  void begin_level(std::size_t) {}
 
   std::vector<Target> find_invalid(std::size_t level) const
   {
     std::vector<Target> targets;
-    for(std::size_t i = 0; i < m_chosen.size(); ++i)
-      if(m_levels[i] == level)
-        targets.push_back(m_chosen[i]);
+    for(std::size_t i = 0; i < m_progress.size(); ++i)
+    {
+      const Progress& p = m_progress[i];
+      if(level == p.first_level)
+        targets.push_back({i, no_index});
+      if(p.refinement && level <= p.last_level)
+        for(std::size_t piece = 0; piece < p.refinement->pieces().size(); ++piece)
+          targets.push_back({i, piece});
+    }
     return targets;
   }
 
-  std::size_t number_of_valid_neighbors(Target hole) const
+  std::size_t number_of_valid_neighbors(const Target& target) const
   {
-    return m_map.number_of_valid_neighbors(*m_holes[hole].patch);
+    // of the 26 neighbours of a cell
+    return is_whole(target) ? m_map.number_of_valid_neighbors(patch(target))
+                            : std::size_t(26 * refinement(target).known_share(piece(target)));
   }
 
-  bool is_still_invalid(Target) const { return true; }
-
-  Match find_best_match(Target hole) const { return m_completion.find(m_holes[hole]); }
-
-  bool is_found(const Match&) const { return true; }
-
-  Patch transfer(Target, const Match& match) const { return m_completion.transfer(match); }
-
-  void insert(Target hole, const Match&, const Patch& patch)
+  bool is_still_invalid(const Target& target) const
   {
-    for(Added_point point : patch.points)
+    return is_whole(target) || refinement(target).is_open(piece(target));
+  }
+
+  Match find_best_match(const Target& target) const
+  {
+    Match match;
+    if(is_whole(target))
+      match.hole = m_completion.find(m_holes[m_chosen[target.chosen]]);
+    else
+      match.piece = refinement(target).find(piece(target));
+    return match;
+  }
+
+  bool is_found(const Match& match) const { return match.hole.patch || match.piece.is_found; }
+
+  Patch transfer(const Target& target, const Match& match) const
+  {
+    Patch result;
+    if(is_whole(target))
+      result.hole = m_completion.relief(match.hole);
+    else
+      result.piece = refinement(target).transfer(piece(target), match.piece);
+    return result;
+  }
+
+  void insert(const Target& target, const Match& match, const Patch& patch)
+  {
+    Progress& p = m_progress[target.chosen];
+    if(is_whole(target))
     {
-      point.hole = hole;
-      m_added.push_back(point);
+      p.match = match.hole;
+      p.refinement = m_completion.refinement(p.match, patch.hole);
+      p.last_level = (std::min)(p.first_level + m_completion.number_of_finer_levels(p.match),
+                                (std::max)(p.first_level, m_map.tree().maximum_depth()));
+      p.finest_copy = p.first_level;
+      return;
     }
-    m_outcomes[hole] = patch.outcome;
-    m_outcomes[hole].level = m_map.level(*m_holes[hole].patch);
-    ++m_done;
+    p.finest_copy = p.first_level + p.refinement->level();
+    p.refinement->insert(piece(target), patch.piece);
   }
 
-  void end_level(std::size_t) {}
-
-  double progress(std::size_t, double) const
+  void end_level(std::size_t level)
   {
-    return m_chosen.empty() ? 1. : double(m_done) / double(m_chosen.size());
+    for(std::size_t i = 0; i < m_progress.size(); ++i)
+      if(m_progress[i].refinement && m_progress[i].last_level == level)
+        finish(i);
+  }
+
+  double progress(std::size_t level, double fraction_of_level) const
+  {
+    const double levels = double(last_level() - first_level() + 1);
+    return (std::min)(1., (double(level - first_level()) + fraction_of_level) / levels);
   }
   /// @}
 
 private:
+  static bool is_whole(const Target& target) { return target.piece == no_index; }
+
+  const Smooth_patch<ConcurrencyTag>& patch(const Target& target) const
+  {
+    return *m_holes[m_chosen[target.chosen]].patch;
+  }
+
+  const Refinement& refinement(const Target& target) const { return *m_progress[target.chosen].refinement; }
+  const Hole_piece& piece(const Target& target) const { return refinement(target).pieces()[target.piece]; }
+
+  std::size_t last_level() const
+  {
+    std::size_t level = 0;
+    for(const Progress& p : m_progress)
+      level = (std::max)(level, p.last_level);
+    return level;
+  }
+
+  // The points of a hole, which needs nothing more from then on.
+  void finish(std::size_t i)
+  {
+    Progress& p = m_progress[i];
+    Hole_filling filling = m_completion.transfer(p.match, *p.refinement);
+    for(Added_point& point : filling.points)
+    {
+      point.hole = m_chosen[i];
+      m_added.push_back(point);
+    }
+    m_outcomes[m_chosen[i]] = filling.outcome;
+    m_outcomes[m_chosen[i]].level = p.finest_copy;
+    p.refinement.reset();
+    p.match = Hole_match<ConcurrencyTag>();
+  }
+
   const Hole_map<ConcurrencyTag>& m_map;
   const Hole_completion<ConcurrencyTag>& m_completion;
   const std::vector<Hole>& m_holes;
   std::vector<std::size_t> m_chosen;
-  std::vector<std::size_t> m_levels;
   std::vector<Added_point>& m_added;
   std::vector<Hole_outcome>& m_outcomes;
-  std::size_t m_done = 0;
+  std::vector<Progress> m_progress;                  // parallel to m_chosen
 };
 
 } // namespace internal

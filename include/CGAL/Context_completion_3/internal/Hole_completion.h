@@ -16,6 +16,8 @@
 
 #include <CGAL/Context_completion_3/internal/Copy_forecast.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Hole_refinement.h>
+#include <CGAL/Context_completion_3/internal/Hole_relief.h>
 #include <CGAL/Context_completion_3/internal/Missing_texture.h>
 #include <CGAL/Context_completion_3/internal/Patch_transfer.h>
 
@@ -50,7 +52,8 @@ struct Hole_match
   Plan_forecast smooth, chosen;
 };
 
-/// Fills a hole by the default policy: search and forecast (`find()`), then transfer (`transfer()`).
+/// Fills a hole by the default policy: search and forecast (`find()`), a planned surface (`relief()`), its finer levels
+/// (`refinement()`), and points (`transfer()`).
 template <typename ConcurrencyTag>
 class Hole_completion
 {
@@ -78,44 +81,79 @@ public:
     return stiff.chosen.belief() > 0 && is_better ? stiff : match;
   }
 
-  /// The points of the chosen plan.
-  Hole_filling transfer(const Match& match) const
+  /// The heights of the chosen plan, and what of its places is carried into the hole.
+  Hole_relief relief(const Match& match) const
+  {
+    const Patch& patch = *match.patch;
+    const Plan_forecast& chosen = match.chosen;
+    Hole_relief result;
+    result.heights = match.forecast->heights(chosen.plan);
+    result.errors = match.forecast->errors(chosen);
+    result.copy.assign(patch.samples().size(), no_index);
+    if(match.places.empty())
+      return result;
+    const Place* place = nullptr;
+    Eigen::VectorXd displacement;
+    const std::size_t first = match.forecast->ranking().front();
+    if(chosen.plan.places == 1 && chosen.plan.share > 0.9)
+    {
+      // the whole relief of one place, which is fitted to the rim and keeps all else
+      place = &match.places[first];
+      displacement = match.forecast->fitting(first);
+    }
+    else
+    {
+      if(chosen.plan.places > 0)
+      {
+        place = &match.places[first];
+        displacement = result.heights - match.reliefs[first].height;
+      }
+      if(m_keep_texture)
+        add_texture(patch, match, result.heights, place, displacement);
+    }
+    if(place == nullptr)
+      return result;
+    result.copies.emplace_back();
+    result.copies.back().place = *place;
+    result.copies.back().displacement = displacement;
+    // a copy may overhang the base; a part of one, or a texture, has no reason to leave the plan
+    result.copies.back().tolerance = chosen.plan.share > 0.9 ? match.sampler->height_limit() : 1.5 * patch.spacing();
+    result.copy.assign(patch.samples().size(), 0);
+    return result;
+  }
+
+  /// The finer levels of a hole, beginning with what `relief()` gave.
+  std::unique_ptr<Hole_refinement<ConcurrencyTag> > refinement(const Match& match, const Hole_relief& relief) const
+  {
+    // a piece has less to be compared, but there are many
+    Search_settings search = m_search;
+    search.number_of_places = (search.number_of_places + 1) / 2;
+    search.number_of_aligned = 300;
+    return std::make_unique<Hole_refinement<ConcurrencyTag> >(m_known, m_sources, search, match.patch, match.sampler,
+                                                              match.places, relief, m_ingredients.coherence);
+  }
+
+  /// Number of levels that `refinement()` is to be asked for.
+  std::size_t number_of_finer_levels(const Match& match) const
+  {
+    return m_ingredients.levels ? Hole_refinement<ConcurrencyTag>::number_of_levels(*match.patch) : 0;
+  }
+
+  /// The points of a hole after its last level.
+  Hole_filling transfer(const Match& match, const Hole_refinement<ConcurrencyTag>& refinement) const
   {
     Hole_filling result;
     const Patch& patch = *match.patch;
     const Plan_forecast& chosen = match.chosen;
-    const Relief_sampler<ConcurrencyTag>& sampler = *match.sampler;
-    const Eigen::VectorXd heights = match.forecast->heights(chosen.plan);
-    Eigen::VectorXd displacement = Eigen::VectorXd::Zero(heights.size());
-    const Place* place = nullptr;
+    const std::size_t replaced = refinement.number_of_replaced();
+    const Patch_transfer<ConcurrencyTag> transfer(m_known, patch, *match.sampler, m_sources);
+    result.points = transfer.points(refinement.relief());
     if(!match.places.empty())
-    {
-      const std::vector<std::size_t>& ranking = match.forecast->ranking();
-      result.outcome.match = match.forecast->match(ranking.front());
-      if(chosen.plan.places == 1 && chosen.plan.share > 0.9)
-      {
-        // the whole relief of one place, which is fitted to the rim and keeps all else
-        place = &match.places[ranking.front()];
-        displacement = match.forecast->fitting(ranking.front());
-      }
-      else
-      {
-        if(chosen.plan.places > 0)
-        {
-          place = &match.places[ranking.front()];
-          displacement = heights - match.reliefs[ranking.front()].height;
-        }
-        if(m_keep_texture)
-          add_texture(patch, match, heights, place, displacement);
-      }
-    }
-    const Patch_transfer<ConcurrencyTag> transfer(m_known, patch, sampler, m_sources);
-    // a copy may overhang the base; a part of one, or a texture, has no reason to leave the plan
-    const double tolerance = chosen.plan.share > 0.9 ? sampler.height_limit() : 1.5 * patch.spacing();
-    result.points = transfer.points(place, displacement, heights, tolerance);
-    result.outcome.filling = chosen.plan.places > 0 ? Filling::copied : Filling::smooth;
-    result.outcome.expected_error = chosen.upper;
-    result.outcome.reason = reason(chosen, match.smooth, patch.spacing(), match.places.size());
+      result.outcome.match = match.forecast->match(match.forecast->ranking().front());
+    result.outcome.filling = chosen.plan.places > 0 || replaced > 0 ? Filling::copied : Filling::smooth;
+    // pieces that differ from the first level say that its forecast was too low; they know nothing of the rest
+    result.outcome.expected_error = (std::max)(chosen.upper, refinement.change());
+    result.outcome.reason = reason(chosen, match.smooth, patch.spacing(), match.places.size(), replaced);
     result.outcome.added = result.points.size();
     for(Added_point& p : result.points)
       p.confidence = 1 / (1 + result.outcome.expected_error / patch.spacing());
@@ -162,7 +200,7 @@ public:
     target.base = at_most(base, 100);
     for(const Match_probe& p : target.overlap)
       target.around.push_back(
-        smoothed_place(known, p.position, p.normal, Place_search<ConcurrencyTag>::smoothing(target)));
+        smoothed_place(known, p.position, p.normal, Place_index<ConcurrencyTag>::smoothing(target.radius)));
     return target;
   }
 
@@ -226,7 +264,7 @@ private:
   }
 
   static std::string reason(const Plan_forecast& chosen, const Plan_forecast& smooth, double spacing,
-                            std::size_t places)
+                            std::size_t places, std::size_t replaced)
   {
     std::ostringstream text;
     text.precision(2);
@@ -238,6 +276,8 @@ private:
       text << "copied from " << chosen.plan.places << (chosen.plan.places == 1 ? " place" : " places") << ", share "
            << chosen.plan.share << ": forecast " << chosen.error / spacing << " spacings, smooth "
            << smooth.error / spacing;
+    if(replaced > 0)
+      text << "; finer levels copied " << replaced << (replaced == 1 ? " piece" : " pieces");
     return text.str();
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Hole_relief.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 
@@ -33,7 +34,7 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Turns a plan into points: source points carried over, displaced along the normals of the base, thinned against the known
+  Turns the relief of a hole into points: source points carried over, displaced along the normals of the base, thinned against the known
   surface; then samples of the base, raised to the planned height, where nothing came to lie.
 */
 template <typename ConcurrencyTag>
@@ -54,27 +55,24 @@ public:
         m_rim.insert(b.index);
   }
 
-  /*!
-    \param place source, or null: smooth only
-    \param displacement per sample, along its normal, for carried points
-    \param heights per sample, for samples of the base that stand in where no source point came to lie
-    \param tolerance carried points that come to lie farther than this from `heights` are left out
-  */
-  std::vector<Added_point> points(const Place* place, const Eigen::VectorXd& displacement,
-                                  const Eigen::VectorXd& heights, double tolerance) const
+  /// The points of a hole: those that its places give, then, where none came to lie, raised samples of the base.
+  std::vector<Added_point> points(const Hole_relief& relief) const
   {
     std::vector<Added_point> result;
     Point_grid grid(m_patch.spacing()), feet(m_patch.spacing());
-    if(place != nullptr)
-      carry(*place, displacement, heights, tolerance, grid, feet, result);
-    raise(place, heights, feet, grid, result);
+    for(std::size_t c = 0; c < relief.copies.size(); ++c)
+      carry(relief, c, grid, feet, result);
+    raise(relief, feet, grid, result);
     return result;
   }
 
 private:
-  void carry(const Place& place, const Eigen::VectorXd& displacement, const Eigen::VectorXd& heights, double tolerance,
-             Point_grid& grid, Point_grid& feet, std::vector<Added_point>& result) const
+  // Points whose feet are on the samples of that copy.
+  void carry(const Hole_relief& relief, std::size_t copy, Point_grid& grid, Point_grid& feet,
+             std::vector<Added_point>& result) const
   {
+    const Carried_place& carried_place = relief.copies[copy];
+    const Place& place = carried_place.place;
     const Source& source = m_sources[place.source];
     std::vector<std::size_t> indices;
     m_sampler.carried_points(place, indices);
@@ -86,6 +84,8 @@ private:
     {
       Vector x = place.motion(source.model->position(i));
       const Neighbor_search::Neighbor foot = m_sampler.search().nearest(x);
+      if(relief.copy[foot.first] != copy)
+        continue;
       const Base_sample& b = m_patch.samples()[foot.first];
       const Vector d = x - b.position;
       const double up = d.dot(b.normal);
@@ -96,9 +96,9 @@ private:
       if(point.normal.dot(b.normal) < -0.5)
         continue;
       double shift; Vector gradient, direction;
-      interpolate(foot.first, x, displacement, shift, gradient, direction);
-      const double miss = std::abs(up + shift - heights[Eigen::Index(foot.first)]);
-      if(miss > tolerance)
+      m_sampler.interpolate(foot.first, x, carried_place.displacement, shift, gradient, direction);
+      const double miss = std::abs(up + shift - relief.heights[Eigen::Index(foot.first)]);
+      if(miss > carried_place.tolerance)
         continue;
       is_planned.push_back(miss <= 2 * m_patch.spacing() && point.normal.dot(b.normal) > 0);
       point.position = x + shift * direction;
@@ -148,10 +148,12 @@ private:
 
   // Where a carried point is above or below a sample, it says where the surface is, and the planned height between a
   // ledge and what is under it does not.
-  void raise(const Place* place, const Eigen::VectorXd& heights, const Point_grid& feet, Point_grid& grid,
+  void raise(const Hole_relief& relief, const Point_grid& feet, Point_grid& grid,
              std::vector<Added_point>& result) const
   {
-    const double room = place == nullptr ? 0.5 : 1.15;
+    const Eigen::VectorXd& heights = relief.heights;
+    // samples keep their distance from each other; carried points may be anywhere
+    const double smooth_room = relief.copies.empty() ? 0.5 : 0.8;
     for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
     {
       const Base_sample& b = m_patch.samples()[s];
@@ -161,16 +163,18 @@ private:
         return false; });
       if(is_known)
         continue;
+      const double room = relief.copy[s] == no_index ? smooth_room : 1.15;
       double height; Vector gradient, direction;
-      interpolate(s, b.position, heights, height, gradient, direction);
+      m_sampler.interpolate(s, b.position, heights, height, gradient, direction);
       Added_point point;
       point.position = b.position + heights[Eigen::Index(s)] * b.normal;
       point.normal = (b.normal - gradient).normalized();
-      if(place != nullptr)
+      if(relief.copy[s] != no_index)
       {
-        const Source& source = m_sources[place->source];
+        const Place& place = relief.copies[relief.copy[s]].place;
+        const Source& source = m_sources[place.source];
         point.source =
-          source.original_index(source.model->search().nearest(place->motion.inverse(point.position)).first);
+          source.original_index(source.model->search().nearest(place.motion.inverse(point.position)).first);
         point.source_set = source.set;
       }
       add(point, room, (std::max)(0.7, room), (std::max)(0.9, room), grid, result);
@@ -201,35 +205,6 @@ private:
     }
     grid.insert(point.position);
     result.push_back(point);
-  }
-
-  // Value, gradient in the tangent plane and direction of a field of the samples above or below sample `foot`.
-  void interpolate(std::size_t foot, const Vector& x, const Eigen::VectorXd& field, double& value, Vector& gradient,
-                   Vector& direction) const
-  {
-    const Base_sample& b = m_patch.samples()[foot];
-    const Vector u = b.normal.unitOrthogonal(), v = b.normal.cross(u);
-    const double sigma = m_patch.spacing();
-    Matrix a = Matrix::Zero();
-    Vector right = Vector::Zero();
-    direction = Vector::Zero();
-    const Vector p = x - b.normal * b.normal.dot(x - b.position);
-    for(std::size_t s : m_sampler.neighbors(foot))
-    {
-      const Base_sample& c = m_patch.samples()[s];
-      const Vector d = c.position - p;
-      const Vector row(1, d.dot(u) / sigma, d.dot(v) / sigma);
-      const double w = std::exp(-0.5 * (row[1] * row[1] + row[2] * row[2]));
-      a.noalias() += w * row * row.transpose();
-      right += w * field[Eigen::Index(s)] * row;
-      direction += w * c.normal;
-    }
-    a(1, 1) += 0.05 * a(0, 0);
-    a(2, 2) += 0.05 * a(0, 0);
-    const Vector c = a.ldlt().solve(right);
-    value = c[0];
-    gradient = (c[1] * u + c[2] * v) / sigma;
-    direction.normalize();
   }
 
   const Model& m_known;

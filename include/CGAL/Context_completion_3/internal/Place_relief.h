@@ -44,6 +44,14 @@ struct Place_relief
   double coverage = 0;                ///< share of covered samples
 };
 
+/// The part of a hole that a relief is asked for.
+struct Relief_window
+{
+  Vector middle = Vector::Zero();
+  double reach = 0;                   ///< samples that are farther from the middle are not needed
+  std::vector<char> is_center_needed; ///< per centre
+};
+
 /// Computes `Place_relief` for the places of one hole.
 template <typename ConcurrencyTag>
 class Relief_sampler
@@ -69,9 +77,10 @@ public:
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    m_middle = (low + high) / 2;
+    m_whole.middle = (low + high) / 2;
     for(const Vector& p : positions)
-      m_reach = (std::max)(m_reach, (p - m_middle).norm());
+      m_whole.reach = (std::max)(m_whole.reach, (p - m_whole.middle).norm());
+    m_whole.is_center_needed.assign(patch.centers().size(), 1);
   }
 
   /// Neighbours of a sample on the base, itself included.
@@ -81,32 +90,69 @@ public:
   /// Source points that may come to lie over the hole.
   void carried_points(const Place& place, std::vector<std::size_t>& indices) const
   {
-    const Model& model = *m_sources[place.source].model;
-    model.search().in_ball(place.motion.inverse(m_middle), 1.15 * m_reach + height_limit(), indices);
+    carried_points(place, m_whole, indices);
   }
 
   /// Relief beyond this height over the base belongs to another part of the shape.
-  double height_limit() const { return (std::max)(4 * m_patch.spacing(), 0.7 * m_reach); }
+  double height_limit() const { return (std::max)(4 * m_patch.spacing(), 0.7 * m_whole.reach); }
 
-  Place_relief relief(const Place& place) const
+  Place_relief relief(const Place& place) const { return relief(place, m_whole); }
+
+  /// The relief in a part of the hole; outside of it nothing is covered and nothing is found.
+  Place_relief relief(const Place& place, const Relief_window& window) const
   {
     Place_relief result;
-    sample_heights(place, result);
-    sample_rim(place, result);
+    std::vector<std::size_t> points;
+    carried_points(place, window, points);
+    sample_heights(place, points, result);
+    sample_rim(place, points, window, result);
     return result;
   }
 
+  /// Value, gradient in the tangent plane and direction of a field of the samples at `x`, above or below sample `foot`.
+  void interpolate(std::size_t foot, const Vector& x, const Eigen::VectorXd& field, double& value, Vector& gradient,
+                   Vector& direction) const
+  {
+    const Base_sample& b = m_patch.samples()[foot];
+    const Vector u = b.normal.unitOrthogonal(), v = b.normal.cross(u);
+    const double sigma = m_patch.spacing();
+    Matrix a = Matrix::Zero();
+    Vector right = Vector::Zero();
+    direction = Vector::Zero();
+    const Vector p = x - b.normal * b.normal.dot(x - b.position);
+    for(std::size_t s : m_neighbors[foot])
+    {
+      const Base_sample& c = m_patch.samples()[s];
+      const Vector d = c.position - p;
+      const Vector row(1, d.dot(u) / sigma, d.dot(v) / sigma);
+      const double w = std::exp(-0.5 * (row[1] * row[1] + row[2] * row[2]));
+      a.noalias() += w * row * row.transpose();
+      right += w * field[Eigen::Index(s)] * row;
+      direction += w * c.normal;
+    }
+    a(1, 1) += 0.05 * a(0, 0);
+    a(2, 2) += 0.05 * a(0, 0);
+    const Vector c = a.ldlt().solve(right);
+    value = c[0];
+    gradient = (c[1] * u + c[2] * v) / sigma;
+    direction.normalize();
+  }
+
 private:
+  void carried_points(const Place& place, const Relief_window& window, std::vector<std::size_t>& indices) const
+  {
+    const Model& model = *m_sources[place.source].model;
+    model.search().in_ball(place.motion.inverse(window.middle), 1.15 * window.reach + height_limit(), indices);
+  }
+
   // Each carried point raises the samples near the foot of its perpendicular by its tangent plane.
-  void sample_heights(const Place& place, Place_relief& result) const
+  void sample_heights(const Place& place, const std::vector<std::size_t>& points, Place_relief& result) const
   {
     const Model& model = *m_sources[place.source].model;
     const std::vector<Base_sample>& samples = m_patch.samples();
     const Eigen::Index n = Eigen::Index(samples.size());
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(n), total = Eigen::VectorXd::Zero(n);
     const double sigma = 0.6 * m_patch.spacing();
-    std::vector<std::size_t> points;
-    carried_points(place, points);
     for(std::size_t i : points)
     {
       const Vector x = place.motion(model.position(i)), m = place.motion.normal(model.normal(i));
@@ -177,11 +223,9 @@ private:
 
   // Source points over the hole. The fits at the rim must do without them, as those of the hole itself do: a rim that
   // is seen from both sides would be continued too well.
-  std::unordered_set<std::size_t> points_inside(const Place& place) const
+  std::unordered_set<std::size_t> points_inside(const Place& place, const std::vector<std::size_t>& points) const
   {
     const Model& model = *m_sources[place.source].model;
-    std::vector<std::size_t> points;
-    carried_points(place, points);
     std::unordered_set<std::size_t> inside;
     for(std::size_t i : points)
     {
@@ -195,18 +239,21 @@ private:
     return inside;
   }
 
-  void sample_rim(const Place& place, Place_relief& result) const
+  void sample_rim(const Place& place, const std::vector<std::size_t>& points, const Relief_window& window,
+                  Place_relief& result) const
   {
     const Model& model = *m_sources[place.source].model;
     const std::vector<Base_center>& centers = m_patch.centers();
     const Eigen::Index n = Eigen::Index(centers.size());
     result.rim = Eigen::VectorXd::Zero(4 * n);
     result.is_found.assign(centers.size(), 0);
-    const double limit = 0.5 * m_reach;
-    const std::unordered_set<std::size_t> inside = points_inside(place);
+    const double limit = 0.5 * m_whole.reach;
+    const std::unordered_set<std::size_t> inside = points_inside(place, points);
     std::vector<std::size_t> buffer;
     for(Eigen::Index i = 0; i < n; ++i)
     {
+      if(!window.is_center_needed[std::size_t(i)])
+        continue;
       const Base_center& c = centers[std::size_t(i)];
       Surface_element fit;
       const Vector axis = place.motion.inverse_normal(c.normal);
@@ -226,8 +273,7 @@ private:
   const std::vector<Source>& m_sources;
   std::unique_ptr<Neighbor_search> m_search;
   std::vector<std::vector<std::size_t> > m_neighbors;
-  Vector m_middle = Vector::Zero();
-  double m_reach = 0;
+  Relief_window m_whole;
 };
 
 } // namespace internal

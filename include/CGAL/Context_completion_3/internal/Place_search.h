@@ -16,15 +16,14 @@
 
 #include <CGAL/Context_completion_3/internal/Example_source.h>
 #include <CGAL/Context_completion_3/internal/Overlap_alignment.h>
-#include <CGAL/Context_completion_3/internal/Place_descriptor.h>
-#include <CGAL/Context_completion_3/internal/Place_shortlist.h>
-#include <CGAL/Context_completion_3/internal/Point_grid.h>
+#include <CGAL/Context_completion_3/internal/Place_index.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -57,6 +56,7 @@ struct Search_settings
   bool mirror = true;
   bool alignment = true;
   std::size_t number_of_places = 2000;      ///< at most so many places of a source are tried
+  std::size_t number_of_aligned = 800;      ///< hypotheses that go on to the second round
   std::size_t number_of_results = 24;
 };
 
@@ -77,26 +77,23 @@ class Place_search
 
   struct Hypothesis
   {
-    std::size_t place;
     Motion motion;
-    double score;
+    double score = 0;
   };
 
 public:
-  /// Deviation of the smoothing of places.
-  static double smoothing(const Match_target& target) { return 0.25 * target.radius; }
-
   Place_search(const std::vector<Source>& sources, const Search_settings& settings)
-    : m_sources(sources), m_settings(settings)
+    : m_sources(sources), m_settings(settings), m_indices(sources.size())
   {}
 
   /// The best places of all sources, best first, their origins at least half a radius apart.
-  std::vector<Place> search(const Match_target& target) const
+  /// \param hints places that are tried, too
+  std::vector<Place> search(const Match_target& target, const std::vector<Place>& hints = std::vector<Place>()) const
   {
     std::vector<Place> found;
     for(std::size_t s = 0; s < m_sources.size(); ++s)
       if(m_sources[s].model->size() > 0)
-        search_source(s, target, found);
+        search_source(s, target, hints, found);
     return separated(found, 0.5 * target.radius, m_settings.number_of_results);
   }
 
@@ -124,17 +121,24 @@ public:
   }
 
 private:
-  void search_source(std::size_t s, const Match_target& target, std::vector<Place>& found) const
+  void search_source(std::size_t s, const Match_target& target, const std::vector<Place>& hints,
+                     std::vector<Place>& found) const
   {
     const Model& model = *m_sources[s].model;
-    const std::vector<Surface_frame> frames = source_frames(model, target);
-    const double tau = (std::max)(3 * target.spacing, 0.12 * target.radius);
-    const double voxel = (std::max)(0.7 * target.spacing, 0.05 * target.radius);
-    const Nearest_point_grid grid(model.points(), voxel, int(std::ceil(tau / voxel)) + 1);
+    const Place_index<ConcurrencyTag>& index = place_index(s, target);
+    const Nearest_point_grid& grid = index.grid();
+    const double tau = index.tau();
+    const std::vector<Surface_frame> frames = index.frames(target.frame, target.around);
     const Overlap_alignment<ConcurrencyTag> fast(model, &grid), exact(model, nullptr);
 
     std::vector<Hypothesis> best = first_round(model, frames, target, grid, tau);
-    keep_best(best, 800);
+    keep_best(best, m_settings.number_of_aligned);
+    for(const Place& hint : hints)
+      if(hint.source == s)
+      {
+        best.emplace_back();
+        best.back().motion = hint.motion;
+      }
 
     const std::vector<Match_probe> some = thinned(target.overlap, 120);
     Match_weights weights;
@@ -143,7 +147,7 @@ private:
     CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
     {
       if(m_settings.alignment)
-        best[i].motion = fast.align(some, best[i].motion, tau, (std::max)(1.5 * target.spacing, 1.5 * voxel), 5);
+        best[i].motion = fast.align(some, best[i].motion, tau, 1.5 * (std::max)(target.spacing, grid.voxel()), 5);
       best[i].score = fast.score(some, best[i].motion, weights);
       return true;
     });
@@ -164,6 +168,15 @@ private:
     found.insert(found.end(), places.begin(), places.end());
   }
 
+  const Place_index<ConcurrencyTag>& place_index(std::size_t s, const Match_target& target) const
+  {
+    std::unique_ptr<const Place_index<ConcurrencyTag> >& index = m_indices[s];
+    if(!index || index->radius() != target.radius || index->spacing() != target.spacing)
+      index = std::make_unique<const Place_index<ConcurrencyTag> >(*m_sources[s].model, target.radius, target.spacing,
+                                                                   m_settings.number_of_places);
+    return *index;
+  }
+
   static Place place(std::size_t s, const Match_target& target, const Motion& motion, double score)
   {
     Place result;
@@ -172,81 +185,6 @@ private:
     result.origin = motion.inverse(target.frame.origin);
     result.score = score;
     return result;
-  }
-
-  // Smoothed at a quarter of the radius: the frame of the place must be that of its base, not of its detail.
-  std::vector<Surface_frame> source_frames(const Model& model, const Match_target& target) const
-  {
-    const std::vector<std::size_t> chosen = spread_places(model, target);
-    std::vector<Smoothed_place> places(chosen.size());
-    const std::vector<std::size_t> indices = sequence(chosen.size());
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t k) -> bool
-    {
-      places[k] = smoothed_place(model, model.position(chosen[k]), model.normal(chosen[k]), smoothing(target));
-      return true;
-    });
-    std::vector<Surface_frame> frames;
-    for(std::size_t k : shortlist(places, target))
-      frames.push_back(places[k].frame);
-    return frames;
-  }
-
-  // Evenly spread points: no more than are asked for, unless they would be too far apart to be found from each other.
-  std::vector<std::size_t> spread_places(const Model& model, const Match_target& target) const
-  {
-    const double farthest = (std::max)(1.5 * target.spacing, 0.3 * target.radius);
-    double distance = (std::max)(1.5 * target.spacing, 0.15 * target.radius);
-    for(;;)
-    {
-      std::vector<std::size_t> chosen;
-      Point_grid grid(distance);
-      for(std::size_t i = 0; i < model.size(); ++i)
-      {
-        bool is_free = true;
-        grid.for_each_in_ball(model.position(i), distance, [&](std::size_t c, double) {
-          is_free = !is_same_side(model.normal(i), model.normal(chosen[c]));
-          return is_free; });
-        if(is_free)
-        {
-          grid.insert(model.position(i));
-          chosen.push_back(i);
-        }
-      }
-      // the shortlist has a price, too: so many places are described for each that is tried
-      const std::size_t most = (distance < farthest ? 1 : 30) * m_settings.number_of_places;
-      if(chosen.size() <= most)
-        return chosen;
-      const double larger = distance * (std::max)(1.1, std::sqrt(double(chosen.size()) / double(most)));
-      distance = distance < farthest ? (std::min)(farthest, larger) : larger;
-    }
-  }
-
-  // Of more places than are to be tried, those whose surroundings resemble those of the hole.
-  std::vector<std::size_t> shortlist(const std::vector<Smoothed_place>& places, const Match_target& target) const
-  {
-    if(places.size() <= m_settings.number_of_places)
-      return sequence(places.size());
-    std::vector<Vector> origins;
-    for(const Smoothed_place& place : places)
-      origins.push_back(place.frame.origin);
-    const Neighbor_search search(origins);
-    std::vector<const Smoothed_place*> around;
-    for(const Smoothed_place& place : target.around)
-      around.push_back(&place);
-    const Place_descriptor wanted(target.frame, around, target.radius);
-    std::vector<Place_descriptor> descriptors(places.size(), wanted);
-    const std::vector<std::size_t> indices = sequence(places.size());
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t k) -> bool
-    {
-      std::vector<std::size_t> ball;
-      search.in_ball(origins[k], 1.5 * Place_descriptor::reach() * target.radius, ball);
-      std::vector<const Smoothed_place*> neighbors;
-      for(std::size_t j : ball)
-        neighbors.push_back(&places[j]);
-      descriptors[k] = Place_descriptor(places[k].frame, neighbors, target.radius);
-      return true;
-    });
-    return Place_shortlist(descriptors).nearest(wanted, m_settings.number_of_places);
   }
 
   // All turns of all places; the three best of a place go on.
@@ -267,7 +205,6 @@ private:
         for(std::size_t t = 0; t < turns; ++t)
         {
           Hypothesis h;
-          h.place = i;
           h.motion = turned[t].motion_from(frames[i], mirrored != 0);
           h.score = coarse_score(model, probes, target, h.motion, grid, tau);
           here.push_back(h);
@@ -377,6 +314,7 @@ private:
 
   const std::vector<Source>& m_sources;
   Search_settings m_settings;
+  mutable std::vector<std::unique_ptr<const Place_index<ConcurrencyTag> > > m_indices;   // of the last radius
 };
 
 } // namespace internal

@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_FAKE_HOLE_STATISTICS_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_FAKE_HOLE_STATISTICS_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Filling_plan.h>
+#include <CGAL/Context_completion_3/internal/Place_search.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/*!
+  How well source places match a hole and each other, and what is learnt from those among them that serve as fake holes:
+  from which mismatch on a copy is to be believed, and which error a hole of another mismatch has.
+
+  The hole itself is place `target`.
+*/
+class Fake_hole_statistics
+{
+public:
+  static constexpr std::size_t target = static_cast<std::size_t>(-1);
+
+  /*!
+    \param places the source places
+    \param coverage of each, the share of the hole in which the source has a surface
+    \param mismatch of each place (rows, the hole last) with each place (columns) around the hole
+    \param radius places that are nearer to each other know each other's truth
+    \param spacing of points
+  */
+  Fake_hole_statistics(const std::vector<Place>& places, const std::vector<double>& coverage,
+                       const Eigen::MatrixXd& mismatch, double radius, double spacing)
+    : m_mismatch(mismatch), m_spacing(spacing)
+  {
+    for(std::size_t i = 0; i < places.size(); ++i)
+      m_ranking.push_back(rank(places, i, radius));
+    m_ranking.push_back(rank(places, target, radius));
+    choose_judges(coverage);
+  }
+
+  /// Places by their match to place `k`, without those that overlap it.
+  const std::vector<std::size_t>& ranking(std::size_t k) const { return m_ranking[std::size_t(column(k))]; }
+
+  /// Mismatch between the surroundings of two places, 0 perfect, at least 1 hopeless.
+  double mismatch(std::size_t k, std::size_t j) const { return m_mismatch(column(k), Eigen::Index(j)); }
+
+  /// Row of place `k` in matrices of all places and, last, the hole.
+  Eigen::Index column(std::size_t k) const { return k == target ? m_mismatch.cols() : Eigen::Index(k); }
+
+  /// The fake holes: the best matching places that are fully there.
+  const std::vector<std::size_t>& judges() const { return m_judges; }
+
+  /// Their weights, of sum 1. Worse matches count less.
+  const std::vector<double>& weights() const { return m_weights; }
+
+  /// Whether there are enough fake holes to learn from.
+  bool is_sufficient() const { return m_judges.size() >= 3; }
+
+  /// Harmonic mean of the mismatches of the best places of `k`.
+  double joint_mismatch(std::size_t places, std::size_t k) const
+  {
+    const std::vector<std::size_t>& order = ranking(k);
+    const std::size_t used = (std::min)(places, order.size());
+    double inverse = 0;
+    for(std::size_t r = 0; r < used; ++r)
+      inverse += 1 / (1e-6 + mismatch(k, order[r]));
+    return double(used) / inverse;
+  }
+
+  /*!
+    The scale of mismatch at which copies of so many places are half believed: what fills the fake holes best, each by
+    its own mismatch, relative to what can be had there.
+
+    \param error what a plan misses on a fake hole
+    \param errors receives what is reached on them
+  */
+  Trust learn_trust(std::size_t places, const std::function<double(const Filling_plan&, std::size_t)>& error,
+                    std::vector<double>& errors) const
+  {
+    const double prior = 0.08, smallest = 0.004, largest = 1;
+    const int steps = 24;
+    std::vector<double> mismatches, ends;
+    for(std::size_t k : m_judges)
+    {
+      mismatches.push_back(joint_mismatch(places, k));
+      ends.push_back(0.02 * m_spacing);
+      for(double share : {0., 1.})
+        ends.back() += error(Filling_plan(places, share), k);
+    }
+    Trust best;
+    double least = 0;
+    for(int step = 0; step < steps; ++step)
+    {
+      Trust trust;
+      trust.scale = smallest * std::pow(largest / smallest, step / double(steps - 1));
+      const double from_prior = std::log(trust.scale / prior);
+      double loss = 0.01 * from_prior * from_prior;
+      std::vector<double> made;
+      for(std::size_t i = 0; i < m_judges.size(); ++i)
+      {
+        made.push_back(error(Filling_plan(places, trust.share(mismatches[i])), m_judges[i]));
+        loss += m_weights[i] * 2 * made.back() / ends[i];
+      }
+      if(step == 0 || loss < least)
+      {
+        least = loss;
+        best = trust;
+        errors = made;
+      }
+    }
+    return best;
+  }
+
+  /*!
+    Fake holes differ from the hole: another one may be rougher around, or have found better examples. The errors made
+    there are carried to the hole along a power law of a predictor; its exponent is fitted, with 1 as the prior.
+
+    \param errors on the fake holes
+    \param predictor logarithm of what the error grows with, of a fake hole or the hole
+    \param forecast receives the error to expect
+  */
+  void extrapolate(const std::vector<double>& errors, const std::function<double(std::size_t)>& predictor,
+                   Plan_forecast& forecast) const
+  {
+    const double floor = 0.01 * m_spacing;
+    const std::vector<double>& w = m_weights;
+    std::vector<double> x, y;
+    double mean_x = 0, mean_y = 0;
+    for(std::size_t i = 0; i < m_judges.size(); ++i)
+    {
+      x.push_back(predictor(m_judges[i]));
+      y.push_back(std::log(errors[i] + floor));
+      mean_x += w[i] * x.back();
+      mean_y += w[i] * y.back();
+    }
+    double xx = 0, xy = 0;
+    for(std::size_t i = 0; i < x.size(); ++i)
+    {
+      xx += w[i] * (x[i] - mean_x) * (x[i] - mean_x);
+      xy += w[i] * (x[i] - mean_x) * (y[i] - mean_y);
+    }
+    const double prior = 1, strength = 0.1;
+    const double slope = (std::max)(0., (std::min)(1., (xy + strength * prior) / (xx + strength)));
+    const double step = (std::max)(-1.5, (std::min)(1.5, predictor(target) - mean_x));
+    double spread = 0;
+    for(std::size_t i = 0; i < x.size(); ++i)
+    {
+      const double d = y[i] - mean_y - slope * (x[i] - mean_x);
+      spread += w[i] * d * d;
+    }
+    const double center = mean_y + slope * step;
+    forecast.error = (std::max)(0., std::exp(center) - floor);
+    // a standard deviation, and a quarter for what fake holes cannot show, by generated cases of known truth
+    forecast.upper = 1.25 * std::exp(center + std::sqrt(spread + 0.06)) - floor;
+  }
+
+  /// What the error of a copy grows with: the mismatch of the places it is made of.
+  double copy_predictor(std::size_t places, std::size_t k) const
+  {
+    return std::log(0.02 * m_spacing + m_spacing * std::sqrt(joint_mismatch(places, k)));
+  }
+
+private:
+  void choose_judges(const std::vector<double>& coverage)
+  {
+    for(std::size_t k : ranking(target))
+      if(coverage[k] > 0.9 && !m_ranking[k].empty() && m_judges.size() < 16)
+        m_judges.push_back(k);
+    double total = 0;
+    for(std::size_t k : m_judges)
+    {
+      m_weights.push_back(1 / (0.05 + mismatch(target, k)));
+      total += m_weights.back();
+    }
+    for(double& w : m_weights)
+      w /= total;
+  }
+
+  std::vector<std::size_t> rank(const std::vector<Place>& places, std::size_t k, double radius) const
+  {
+    std::vector<std::size_t> order;
+    for(std::size_t j = 0; j < places.size(); ++j)
+      if(k == target || places[j].source != places[k].source ||
+         (places[j].origin - places[k].origin).norm() >= radius)
+        order.push_back(j);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b)
+      { return mismatch(k, a) < mismatch(k, b); });
+    return order;
+  }
+
+  Eigen::MatrixXd m_mismatch;                         // (places, the hole last) x places
+  double m_spacing;
+  std::vector<std::vector<std::size_t> > m_ranking;   // per place, the hole last
+  std::vector<std::size_t> m_judges;
+  std::vector<double> m_weights;                      // parallel to it
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_FAKE_HOLE_STATISTICS_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_HOLE_RELIEF_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_HOLE_RELIEF_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Place_search.h>
+
+#include <Eigen/Dense>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/// A source place and how its points are displaced, along the normals of the base, on their way into the hole.
+struct Carried_place
+{
+  Place place;
+  Eigen::VectorXd displacement;          ///< per sample of the base
+  double tolerance = 0;                  ///< points that come to lie farther from the planned heights are left out
+};
+
+/// The planned surface of a hole: heights over its base, and whose points are carried there.
+struct Hole_relief
+{
+  Eigen::VectorXd heights;               ///< per sample of the base
+  Eigen::VectorXd errors;                ///< per sample: to be expected
+  std::vector<Carried_place> copies;
+  std::vector<std::size_t> copy;         ///< per sample: index of the copy, `no_index`: none
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_HOLE_RELIEF_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_INDEX_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_INDEX_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Motion.h>
+#include <CGAL/Context_completion_3/internal/Nearest_point_grid.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Place_descriptor.h>
+#include <CGAL/Context_completion_3/internal/Place_shortlist.h>
+#include <CGAL/Context_completion_3/internal/Point_grid.h>
+#include <CGAL/Context_completion_3/internal/Surface_model.h>
+
+#include <CGAL/for_each.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/*!
+  The places of one source that holes of some radius are compared with: frames spread over its surface, a grid for coarse
+  scores, and, on surfaces that are large against the hole, a shortlist by descriptors. Holes of the same radius share it.
+*/
+template <typename ConcurrencyTag>
+class Place_index
+{
+  typedef Surface_model<ConcurrencyTag> Model;
+
+public:
+  /// Deviation of the smoothing of places around a hole.
+  static double smoothing(double radius) { return 0.25 * radius; }
+
+  /*!
+    \param radius of the hole
+    \param spacing of points around it
+    \param number_of_places that are compared with a hole, at most
+  */
+  Place_index(const Model& model, double radius, double spacing, std::size_t number_of_places)
+    : m_radius(radius), m_spacing(spacing), m_number_of_places(number_of_places),
+      m_tau((std::max)(3 * spacing, 0.12 * radius))
+  {
+    const double voxel = (std::max)(0.7 * spacing, 0.05 * radius);
+    m_grid = std::make_unique<Nearest_point_grid>(model.points(), voxel, int(std::ceil(m_tau / voxel)) + 1);
+    const std::vector<std::size_t> chosen = spread_places(model);
+    m_places.resize(chosen.size());
+    CGAL::for_each<ConcurrencyTag>(sequence(chosen.size()), [&](std::size_t k) -> bool
+    {
+      m_places[k] = smoothed_place(model, model.position(chosen[k]), model.normal(chosen[k]), smoothing(radius));
+      return true;
+    });
+    if(m_places.size() > number_of_places)
+      describe_places();
+  }
+
+  double radius() const { return m_radius; }
+  double spacing() const { return m_spacing; }
+
+  /// Distance at which a probe counts as missed in coarse scores.
+  double tau() const { return m_tau; }
+
+  const Nearest_point_grid& grid() const { return *m_grid; }
+
+  /// Of more places than are to be tried, those whose surroundings resemble those of the hole.
+  std::vector<Surface_frame> frames(const Surface_frame& frame, const std::vector<Smoothed_place>& around) const
+  {
+    std::vector<Surface_frame> frames;
+    for(std::size_t k : m_shortlist ? m_shortlist->nearest(described(frame, around), m_number_of_places)
+                                    : sequence(m_places.size()))
+      frames.push_back(m_places[k].frame);
+    return frames;
+  }
+
+private:
+  Place_descriptor described(const Surface_frame& frame, const std::vector<Smoothed_place>& around) const
+  {
+    std::vector<const Smoothed_place*> places;
+    for(const Smoothed_place& place : around)
+      places.push_back(&place);
+    return Place_descriptor(frame, places, m_radius);
+  }
+
+  void describe_places()
+  {
+    std::vector<Vector> origins;
+    for(const Smoothed_place& place : m_places)
+      origins.push_back(place.frame.origin);
+    const Neighbor_search search(origins);
+    std::vector<Place_descriptor> descriptors(m_places.size(), described(m_places[0].frame, {}));
+    CGAL::for_each<ConcurrencyTag>(sequence(m_places.size()), [&](std::size_t k) -> bool
+    {
+      std::vector<std::size_t> ball;
+      search.in_ball(origins[k], 1.5 * Place_descriptor::reach() * m_radius, ball);
+      std::vector<const Smoothed_place*> neighbors;
+      for(std::size_t j : ball)
+        neighbors.push_back(&m_places[j]);
+      descriptors[k] = Place_descriptor(m_places[k].frame, neighbors, m_radius);
+      return true;
+    });
+    m_shortlist = std::make_unique<Place_shortlist>(descriptors);
+  }
+
+  // Evenly spread points: no more than are asked for, unless they would be too far apart to be found from each other.
+  std::vector<std::size_t> spread_places(const Model& model) const
+  {
+    const double farthest = (std::max)(1.5 * m_spacing, 0.3 * m_radius);
+    double distance = (std::max)(1.5 * m_spacing, 0.15 * m_radius);
+    for(;;)
+    {
+      std::vector<std::size_t> chosen;
+      Point_grid grid(distance);
+      for(std::size_t i = 0; i < model.size(); ++i)
+      {
+        bool is_free = true;
+        grid.for_each_in_ball(model.position(i), distance, [&](std::size_t c, double) {
+          is_free = !is_same_side(model.normal(i), model.normal(chosen[c]));
+          return is_free; });
+        if(is_free)
+        {
+          grid.insert(model.position(i));
+          chosen.push_back(i);
+        }
+      }
+      // the shortlist has a price, too: so many places are described for each that is tried
+      const std::size_t most = (distance < farthest ? 1 : 30) * m_number_of_places;
+      if(chosen.size() <= most)
+        return chosen;
+      const double larger = distance * (std::max)(1.1, std::sqrt(double(chosen.size()) / double(most)));
+      distance = distance < farthest ? (std::min)(farthest, larger) : larger;
+    }
+  }
+
+  static std::vector<std::size_t> sequence(std::size_t n)
+  {
+    std::vector<std::size_t> indices(n);
+    for(std::size_t i = 0; i < n; ++i)
+      indices[i] = i;
+    return indices;
+  }
+
+  double m_radius, m_spacing;
+  std::size_t m_number_of_places;
+  double m_tau;
+  std::unique_ptr<Nearest_point_grid> m_grid;
+  std::vector<Smoothed_place> m_places;      // smoothed: their frames must be those of the base, not of its detail
+  std::unique_ptr<Place_shortlist> m_shortlist;
+};
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_PLACE_INDEX_H
