@@ -129,6 +129,8 @@ public:
     Search_settings search = m_search;
     search.number_of_places = (search.number_of_places + 1) / 2;
     search.number_of_aligned = 300;
+    search.number_of_measured = 32;
+    search.number_of_results = 18;
     return std::make_unique<Hole_refinement<ConcurrencyTag> >(m_known, m_sources, search, match.patch, match.sampler,
                                                               match.places, relief, m_ingredients.coherence);
   }

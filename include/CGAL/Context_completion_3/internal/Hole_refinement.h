@@ -83,7 +83,7 @@ public:
                   const std::shared_ptr<const Relief_sampler<ConcurrencyTag> >& sampler,
                   const std::vector<Place>& places, const Hole_relief& relief, bool is_coherent)
     : m_known(known), m_search(sources, search), m_patch(patch), m_sampler(sampler), m_is_coherent(is_coherent),
-      m_relief(relief), m_first(relief.heights), m_coarse(relief.heights),
+      m_relief(relief), m_first(relief.heights),
       m_is_settled(patch->samples().size(), 0), m_pieces_of(*patch, sampler->search())
   {
     if(is_coherent)
@@ -117,7 +117,6 @@ public:
     m_level = level;
     m_pieces = m_pieces_of.of_radius(radius(*m_patch, level));
     m_is_settled.assign(m_patch->samples().size(), 0);
-    m_coarse = m_relief.heights;
   }
 
   /// Share of the surroundings of a piece that is known or settled; changes with each insertion.
@@ -135,13 +134,7 @@ public:
       sum += piece.weights[i] * m_relief.errors[Eigen::Index(piece.samples[i])];
       total += piece.weights[i];
     }
-    // what the coarser level missed around the piece it will have missed inside, too
-    const Piece_controls controls = m_pieces_of.controls(piece, m_is_settled);
-    double missed = 0;
-    for(std::size_t s : controls.settled)
-      missed += std::abs(m_relief.heights[Eigen::Index(s)] - m_coarse[Eigen::Index(s)]);
-    missed /= double(controls.settled.size() + controls.rim.size()) + 1e-300;
-    return std::hypot(sum / total, missed);
+    return sum / total;
   }
 
   /// Whether something is known to match, and something to gain.
@@ -206,21 +199,33 @@ public:
 
   void insert(const Hole_piece& piece, const Piece_filling& filling)
   {
+    // where the piece says what is there already, it is confirmed: another patch would but add a seam
+    double change = 0, total = 0;
+    for(std::size_t i = 0; i < piece.samples.size(); ++i)
+    {
+      const double old = m_relief.heights[Eigen::Index(piece.samples[i])];
+      change += piece.weights[i] * std::abs(filling.heights[Eigen::Index(i)] - old);
+      total += piece.weights[i];
+    }
+    const bool is_confirmed = change < 0.05 * m_patch->spacing() * total;
     for(std::size_t i = 0; i < piece.samples.size(); ++i)
     {
       const std::size_t s = piece.samples[i];
       const double w = piece.weights[i];
-      m_relief.heights[Eigen::Index(s)] += w * (filling.heights[Eigen::Index(i)] - m_relief.heights[Eigen::Index(s)]);
-      m_relief.errors[Eigen::Index(s)] += w * (filling.error - m_relief.errors[Eigen::Index(s)]);
       if(w > 0.5)
-      {
-        m_relief.copy[s] = m_relief.copies.size();
         m_is_settled[s] = 1;
-      }
+      m_relief.errors[Eigen::Index(s)] += w * (filling.error - m_relief.errors[Eigen::Index(s)]);
+      if(is_confirmed)
+        continue;
+      m_relief.heights[Eigen::Index(s)] += w * (filling.heights[Eigen::Index(i)] - m_relief.heights[Eigen::Index(s)]);
+      if(w > 0.5)
+        m_relief.copy[s] = m_relief.copies.size();
     }
-    m_relief.copies.push_back(filling.carried);
     if(m_is_coherent)
       m_hints.insert(m_hints.begin(), filling.carried.place);
+    if(is_confirmed)
+      return;
+    m_relief.copies.push_back(filling.carried);
     ++m_replaced;
   }
 
@@ -295,7 +300,7 @@ private:
   bool m_is_coherent;
   std::vector<Place> m_hints;            // places of the whole hole, and those of the pieces
   Hole_relief m_relief;
-  Eigen::VectorXd m_first, m_coarse;     // heights that the first and the coarser level left
+  Eigen::VectorXd m_first;               // heights that the first level left
   std::vector<char> m_is_settled;        // per sample: filled on this level
   Hole_pieces<ConcurrencyTag> m_pieces_of;
   std::vector<Hole_piece> m_pieces;

@@ -57,6 +57,7 @@ struct Search_settings
   bool alignment = true;
   std::size_t number_of_places = 2000;      ///< at most so many places of a source are tried
   std::size_t number_of_aligned = 800;      ///< hypotheses that go on to the second round
+  std::size_t number_of_measured = 72;      ///< places that go on to the third
   std::size_t number_of_results = 24;
 };
 
@@ -155,7 +156,7 @@ private:
     std::vector<Place> places;
     for(const Hypothesis& h : best)
       places.push_back(place(s, target, h.motion, h.score));
-    places = separated(places, 0.25 * target.radius, 72);
+    places = separated(places, 0.25 * target.radius, m_settings.number_of_measured);
 
     indices = sequence(places.size());
     CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
