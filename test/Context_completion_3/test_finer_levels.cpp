@@ -35,23 +35,6 @@ namespace {
 typedef CGAL::Sequential_tag Tag;
 typedef Example_source<Tag> Source;
 
-const double side = 80;
-
-// Four patterns that meet in the middle: what is around the middle is there only once, what is around each part of it,
-// many times.
-double four_patterns(double x, double y)
-{
-  const double u = x - side / 2, v = y - side / 2, w = 2 * samples::pi / 8;
-  const double along = 1.5 * std::cos(w * u), across = 1.5 * std::cos(w * v);
-  return u < 0 ? (v < 0 ? along : across) : (v < 0 ? across : along);
-}
-
-samples::Samples patterns_with_hole()
-{
-  return samples::without_ball(samples::steep_graph(side, side, 1., four_patterns), samples::Point(side / 2, side / 2, 0),
-                               11.);
-}
-
 // A hole, its base, and places around it.
 struct Scene
 {
@@ -115,7 +98,7 @@ double mean_error(const Result& result)
 {
   double sum = 0;
   for(const Added_point& p : result.added)
-    sum += std::abs(p.position.z() - four_patterns(p.position.x(), p.position.y()));
+    sum += std::abs(p.position.z() - samples::four_patterns_height(p.position.x(), p.position.y()));
   return sum / double(result.added.size());
 }
 
@@ -207,7 +190,7 @@ TEST(Hole_pieces, More_is_known_near_the_rim_and_where_samples_are_settled)
 
 TEST(Relief_sampler, A_window_shows_what_the_whole_relief_has_there)
 {
-  const Scene scene(patterns_with_hole());
+  const Scene scene(samples::four_patterns_with_hole());
   Place place;
   place.motion.translation = Vector(16, 8, 0);
   const Place_relief whole = scene.sampler->relief(place);
@@ -350,7 +333,7 @@ TEST(Place_search, A_hint_is_tried)
 
 TEST(Finer_levels, Parts_that_have_twins_are_copied_where_the_whole_has_none)
 {
-  const samples::Samples surface = patterns_with_hole();
+  const samples::Samples surface = samples::four_patterns_with_hole();
   Engine_parameters parameters;
   const Result with = completed<Tag>(surface, parameters);
   parameters.ingredients.levels = false;

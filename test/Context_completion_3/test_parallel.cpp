@@ -65,5 +65,6 @@ TEST_P(Parallel_completion, Equals_the_sequential_one_bit_for_bit)
 INSTANTIATE_TEST_SUITE_P(Surfaces, Parallel_completion, ::testing::Values(
   samples::plane_with_two_holes(),
   samples::bumpy_plane_with_hole(),
+  samples::four_patterns_with_hole(),
   samples::without_ball(samples::bumpy_sphere(1500, 10., 0.6, 6.), samples::Point(6, 5, 6), 2.8),
   samples::without_ball(samples::cylinder(40, 40, 6.), samples::Point(6, 0, 16), 3.)));

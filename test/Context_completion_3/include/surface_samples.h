@@ -206,6 +206,21 @@ inline Samples bumpy_plane_with_hole()
   return without_ball(bumpy_plane(48, 1., 8., 1.), Point(25, 23, 0), 4.);
 }
 
+/// Four patterns that meet at (40, 40): what is around that point is there only once, what is around each part of it, many
+/// times.
+inline double four_patterns_height(double x, double y)
+{
+  const double u = x - 40, v = y - 40, w = 2 * pi / 8;
+  const double along = 1.5 * std::cos(w * u), across = 1.5 * std::cos(w * v);
+  return u < 0 ? (v < 0 ? along : across) : (v < 0 ? across : along);
+}
+
+/// [0, 80]^2, with a hole of radius 11 where the patterns meet.
+inline Samples four_patterns_with_hole()
+{
+  return without_ball(steep_graph(80, 80, 1., four_patterns_height), Point(40, 40, 0), 11.);
+}
+
 /// A sheet with two holes of different size, far from each other.
 inline Samples plane_with_two_holes()
 {
