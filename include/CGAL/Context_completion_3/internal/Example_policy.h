@@ -72,10 +72,16 @@ public:
                  const std::vector<Hole>& holes, const std::vector<std::size_t>& chosen,
                  std::vector<Added_point>& added, std::vector<Hole_outcome>& outcomes)
     : m_map(map), m_completion(completion), m_holes(holes), m_chosen(chosen), m_added(added), m_outcomes(outcomes),
-      m_progress(chosen.size())
+      m_progress(chosen.size()), m_piece_search(completion.piece_search())
   {
     for(std::size_t i = 0; i < chosen.size(); ++i)
-      m_progress[i].first_level = m_progress[i].last_level = map.level(*holes[chosen[i]].patch);
+    {
+      const Smooth_patch<ConcurrencyTag>& patch = *holes[chosen[i]].patch;
+      Progress& p = m_progress[i];
+      p.first_level = p.finest_copy = map.level(patch);
+      p.last_level = (std::min)(p.first_level + completion.number_of_finer_levels(patch),
+                                (std::max)(p.first_level, map.tree().maximum_depth()));
+    }
   }
 
   /// \name Concept of `Completion_loop`
@@ -114,9 +120,10 @@ public:
 
   std::size_t number_of_valid_neighbors(const Target& target) const
   {
-    // of the 26 neighbours of a cell
-    return is_whole(target) ? m_map.number_of_valid_neighbors(patch(target))
-                            : std::size_t(26 * refinement(target).known_share(piece(target)));
+    if(is_whole(target))
+      return m_map.number_of_valid_neighbors(patch(target));
+    // of 26, as cells have; holes one after the other, because they do not depend on each other and share a search
+    return 27 * (m_progress.size() - target.chosen) + std::size_t(26 * refinement(target).known_share(piece(target)));
   }
 
   bool is_still_invalid(const Target& target) const
@@ -152,10 +159,10 @@ public:
     if(is_whole(target))
     {
       p.match = match.hole;
-      p.refinement = m_completion.refinement(p.match, patch.hole);
-      p.last_level = (std::min)(p.first_level + m_completion.number_of_finer_levels(p.match),
-                                (std::max)(p.first_level, m_map.tree().maximum_depth()));
-      p.finest_copy = p.first_level;
+      p.match.shrink();
+      p.refinement = m_completion.refinement(p.match, patch.hole, m_piece_search);
+      if(p.last_level == p.first_level)
+        finish(target.chosen);
       return;
     }
     p.finest_copy = p.first_level + p.refinement->level();
@@ -218,6 +225,7 @@ private:
   std::vector<Added_point>& m_added;
   std::vector<Hole_outcome>& m_outcomes;
   std::vector<Progress> m_progress;                  // parallel to m_chosen
+  Place_search<ConcurrencyTag> m_piece_search;
 };
 
 } // namespace internal

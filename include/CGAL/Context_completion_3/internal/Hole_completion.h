@@ -50,6 +50,15 @@ struct Hole_match
   std::vector<Place_relief> reliefs;       ///< parallel to places
   std::shared_ptr<const Copy_forecast<ConcurrencyTag> > forecast;
   Plan_forecast smooth, chosen;
+  double best = 0;                         ///< mismatch of the best place
+
+  /// Forgets what only `Hole_completion::relief()` needs.
+  void shrink()
+  {
+    reliefs.clear();
+    reliefs.shrink_to_fit();
+    forecast.reset();
+  }
 };
 
 /// Fills a hole by the default policy: search and forecast (`find()`), a planned surface (`relief()`), its finer levels
@@ -122,8 +131,8 @@ public:
     return result;
   }
 
-  /// The finer levels of a hole, beginning with what `relief()` gave.
-  std::unique_ptr<Hole_refinement<ConcurrencyTag> > refinement(const Match& match, const Hole_relief& relief) const
+  /// The search for pieces of holes. It keeps its index of the last radius, which is large, so there is to be one only.
+  Place_search<ConcurrencyTag> piece_search() const
   {
     // a piece has less to be compared, but there are many
     Search_settings search = m_search;
@@ -131,14 +140,21 @@ public:
     search.number_of_aligned = 300;
     search.number_of_measured = 32;
     search.number_of_results = 18;
-    return std::make_unique<Hole_refinement<ConcurrencyTag> >(m_known, m_sources, search, match.patch, match.sampler,
-                                                              match.places, relief, m_ingredients.coherence);
+    return Place_search<ConcurrencyTag>(m_sources, search);
+  }
+
+  /// The finer levels of a hole, beginning with what `relief()` gave.
+  std::unique_ptr<Hole_refinement<ConcurrencyTag> > refinement(const Match& match, const Hole_relief& relief,
+                                                               const Place_search<ConcurrencyTag>& search) const
+  {
+    return std::make_unique<Hole_refinement<ConcurrencyTag> >(m_known, search, match.patch, match.sampler, match.places,
+                                                              relief, m_ingredients.coherence);
   }
 
   /// Number of levels that `refinement()` is to be asked for.
-  std::size_t number_of_finer_levels(const Match& match) const
+  std::size_t number_of_finer_levels(const Patch& patch) const
   {
-    return m_ingredients.levels ? Hole_refinement<ConcurrencyTag>::number_of_levels(*match.patch) : 0;
+    return m_ingredients.levels ? Hole_refinement<ConcurrencyTag>::number_of_levels(patch) : 0;
   }
 
   /// The points of a hole after its last level.
@@ -150,8 +166,7 @@ public:
     const std::size_t replaced = refinement.number_of_replaced();
     const Patch_transfer<ConcurrencyTag> transfer(m_known, patch, *match.sampler, m_sources);
     result.points = transfer.points(refinement.relief());
-    if(!match.places.empty())
-      result.outcome.match = match.forecast->match(match.forecast->ranking().front());
+    result.outcome.match = match.best;
     result.outcome.filling = chosen.plan.places > 0 || replaced > 0 ? Filling::copied : Filling::smooth;
     // pieces that differ from the first level say that its forecast was too low; they know nothing of the rest
     result.outcome.expected_error = (std::max)(chosen.upper, refinement.change());
@@ -228,6 +243,8 @@ private:
     const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
                                                                           target.radius, m_ingredients);
     match.forecast = forecast;
+    if(!match.places.empty())
+      match.best = forecast->match(forecast->ranking().front());
     const std::vector<Plan_forecast> forecasts = forecast->forecasts();
     match.smooth = match.chosen = forecasts.front();
     for(const Plan_forecast& f : forecasts)

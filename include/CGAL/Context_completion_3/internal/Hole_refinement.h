@@ -67,22 +67,21 @@ class Hole_refinement
 {
   typedef Smooth_patch<ConcurrencyTag> Patch;
   typedef Surface_model<ConcurrencyTag> Model;
-  typedef Example_source<ConcurrencyTag> Source;
 
 public:
   /*!
     \param known the known surface
-    \param sources, search where and how places are searched for
+    \param search for places; it may be shared by holes that are refined one after the other
     \param patch, sampler the base of the hole
     \param places of the whole hole
     \param relief what the first level gave
     \param is_coherent whether places are taken over from the whole hole and from other pieces
   */
-  Hole_refinement(const Model& known, const std::vector<Source>& sources, const Search_settings& search,
+  Hole_refinement(const Model& known, const Place_search<ConcurrencyTag>& search,
                   const std::shared_ptr<const Patch>& patch,
                   const std::shared_ptr<const Relief_sampler<ConcurrencyTag> >& sampler,
                   const std::vector<Place>& places, const Hole_relief& relief, bool is_coherent)
-    : m_known(known), m_search(sources, search), m_patch(patch), m_sampler(sampler), m_is_coherent(is_coherent),
+    : m_known(known), m_search(search), m_patch(patch), m_sampler(sampler), m_is_coherent(is_coherent),
       m_relief(relief), m_first(relief.heights),
       m_is_settled(patch->samples().size(), 0), m_pieces_of(*patch, sampler->search())
   {
@@ -294,7 +293,7 @@ private:
   }
 
   const Model& m_known;
-  Place_search<ConcurrencyTag> m_search;
+  const Place_search<ConcurrencyTag>& m_search;
   std::shared_ptr<const Patch> m_patch;
   std::shared_ptr<const Relief_sampler<ConcurrencyTag> > m_sampler;
   bool m_is_coherent;
