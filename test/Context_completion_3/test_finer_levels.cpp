@@ -61,7 +61,7 @@ struct Scene
   std::shared_ptr<const Relief_sampler<Tag> > sampler;
 };
 
-// The sheet z = 0 with a hole of radius 12, and a far copy of it that is whole.
+// The sheet z = 0 with a hole of radius 12.
 Scene plane_scene()
 {
   return Scene(samples::without_ball(samples::plane(60), samples::Point(30, 25, 0), 12.));
@@ -232,7 +232,10 @@ TEST(Fake_hole_statistics, Ranks_as_sorting_does_and_leaves_out_what_overlaps)
       mismatch(k, j) = 0.5 + 0.49 * offset();
   std::vector<double> coverage(n, 1.);
   coverage[4] = 0.5;
-  const Fake_hole_statistics statistics(places, coverage, mismatch, 5., 1.);
+  const auto between = [&](std::size_t k, std::size_t j)
+    { return mismatch(k == Fake_hole_statistics::target ? Eigen::Index(n) : Eigen::Index(k), Eigen::Index(j)); };
+  const Fake_hole_statistics statistics(places, coverage, between, 5., 1.);
+  mismatch.col(4).array() += 2 * (0.97 - 0.5);   // does not cover the hole
   for(std::size_t k = 0; k <= n; ++k)
   {
     const std::size_t place = k == n ? Fake_hole_statistics::target : k;
@@ -264,8 +267,8 @@ TEST(Fake_hole_statistics, Believes_in_copies_as_far_as_they_fill_the_fake_holes
   std::vector<Place> places(n);
   for(std::size_t i = 0; i < n; ++i)
     places[i].origin = Vector(10. * double(i), 0, 0);
-  const Eigen::MatrixXd mismatch = Eigen::MatrixXd::Constant(n + 1, n, 0.05);
-  const Fake_hole_statistics statistics(places, std::vector<double>(n, 1.), mismatch, 5., 1.);
+  const Fake_hole_statistics statistics(places, std::vector<double>(n, 1.),
+                                        [](std::size_t, std::size_t) { return 0.05; }, 5., 1.);
   std::vector<double> errors;
   const Trust good = statistics.learn_trust(1, [](const Filling_plan& plan, std::size_t) { return 1 - plan.share; },
                                             errors);

@@ -14,10 +14,9 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Weighted_quantile.h>
-
-#include <CGAL/for_each.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -91,10 +90,7 @@ public:
     }
     const std::vector<std::vector<std::size_t> > groups = sectors();
     const Eigen::MatrixXd fading = fading_rest();
-    std::vector<std::size_t> indices;
-    for(std::size_t i = 0; i < m_trends.size() + m_members.size(); ++i)
-      indices.push_back(i);
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    for_each_index<ConcurrencyTag>(m_trends.size() + m_members.size(), [&](std::size_t i)
     {
       if(i < m_trends.size())
         prepare(m_trends[i], groups);
@@ -103,7 +99,6 @@ public:
         Member& member = m_members[i - m_trends.size()];
         member.rest = member.range > 0 ? kriging(member.range) : fading;
       }
-      return true;
     });
   }
 

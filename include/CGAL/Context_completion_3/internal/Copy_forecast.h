@@ -18,16 +18,16 @@
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Rim_mismatch.h>
-
-#include <CGAL/for_each.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -58,7 +58,7 @@ public:
   Copy_forecast(const Patch& patch, const Base_family<ConcurrencyTag>& family, const std::vector<Place>& places,
                 const std::vector<Place_relief>& reliefs, double radius, const Ingredients& ingredients)
     : m_patch(patch), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
-      m_statistics(places, coverages(reliefs), mismatches(), radius, patch.spacing())
+      m_statistics(places, coverages(reliefs), mismatch(), radius, patch.spacing())
   {
     // the hole is the last column: nothing but the known surface
     const std::size_t n = places.size();
@@ -168,17 +168,13 @@ private:
     const std::vector<std::size_t>& judges = m_statistics.judges();
     std::vector<Eigen::MatrixXd> heights(family.size());
     std::vector<double> errors(family.size(), 0.);
-    std::vector<std::size_t> indices;
-    for(std::size_t m = 0; m < family.size(); ++m)
-      indices.push_back(m);
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t m) -> bool
+    for_each_index<ConcurrencyTag>(family.size(), [&](std::size_t m)
     {
       heights[m] = family.heights(m, rim);
       for(std::size_t i = 0; i < judges.size(); ++i)
         errors[m] += judge_weights()[i] *
           std::log(error(heights[m].col(m_statistics.column(judges[i])), judges[i]) + floor);
       errors[m] = std::exp(errors[m]);
-      return true;
     });
     std::vector<double> sector_errors = family.sector_errors();
     for(std::size_t m = 0; m < family.size(); ++m)
@@ -238,39 +234,25 @@ private:
 
   Eigen::VectorXd predict(const Filling_plan& plan, std::size_t k) const
   {
-    const std::vector<std::size_t>& order = m_statistics.ranking(k);
-    const std::size_t used = (std::min)(plan.places, order.size());
     const Eigen::VectorXd smooth = m_smooth.col(m_statistics.column(k));
-    if(used == 0)
+    if(plan.places == 0 || m_statistics.ranking(k).empty())
       return smooth;
-    Eigen::VectorXd copy = Eigen::VectorXd::Zero(smooth.size());
-    double total = 0;
-    for(std::size_t r = 0; r < used; ++r)
-    {
-      const std::size_t j = order[r];
-      const double w = 1 / (0.02 + m_statistics.mismatch(k, j));
-      copy += w * (m_reliefs[j].height - m_membrane.col(Eigen::Index(j)));
-      total += w;
-    }
-    copy = copy / total + m_membrane.col(m_statistics.column(k));
-    return smooth + plan.share * (copy - smooth);
+    const Eigen::VectorXd copy = m_statistics.mean_over_best(plan.places, k, [&](std::size_t j) -> Eigen::VectorXd
+      { return m_reliefs[j].height - m_membrane.col(Eigen::Index(j)); });
+    return smooth + plan.share * (copy + m_membrane.col(m_statistics.column(k)) - smooth);
   }
 
-  Eigen::MatrixXd mismatches() const
+  std::function<double(std::size_t, std::size_t)> mismatch() const
   {
     std::vector<double> weights;
     for(const Base_center& c : m_patch.centers())
       weights.push_back(std::exp(-c.distance / (0.4 * m_radius)));
-    const std::size_t n = m_reliefs.size();
-    Eigen::MatrixXd result(Eigen::Index(n) + 1, Eigen::Index(n));
-    for(std::size_t k = 0; k <= n; ++k)
-      for(std::size_t j = 0; j < n; ++j)
-      {
-        Rim_mismatch mismatch(m_patch.spacing());
-        mismatch.add_centers(k == n ? nullptr : &m_reliefs[k], m_reliefs[j], weights);
-        result(Eigen::Index(k), Eigen::Index(j)) = mismatch.mean() + 2 * (std::max)(0., 0.97 - m_reliefs[j].coverage);
-      }
-    return result;
+    return [=](std::size_t k, std::size_t j)
+    {
+      Rim_mismatch result(m_patch.spacing());
+      result.add_centers(k == target ? nullptr : &m_reliefs[k], m_reliefs[j], weights);
+      return result.mean();
+    };
   }
 
   const Patch& m_patch;

@@ -98,6 +98,7 @@ public:
 
   void begin_level(std::size_t level)
   {
+    m_level = level;
     for(Progress& p : m_progress)
       if(p.refinement && level <= p.last_level)
         p.refinement->begin_level(level - p.first_level);
@@ -165,8 +166,8 @@ public:
         finish(target.chosen);
       return;
     }
-    p.finest_copy = p.first_level + p.refinement->level();
-    p.refinement->insert(piece(target), patch.piece);
+    if(p.refinement->insert(piece(target), patch.piece))
+      p.finest_copy = m_level;
   }
 
   void end_level(std::size_t level)
@@ -226,6 +227,7 @@ private:
   std::vector<Hole_outcome>& m_outcomes;
   std::vector<Progress> m_progress;                  // parallel to m_chosen
   Place_search<ConcurrencyTag> m_piece_search;
+  std::size_t m_level = 0;                           // the current one
 };
 
 } // namespace internal

@@ -15,7 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
-#include <CGAL/Context_completion_3/internal/Place_search.h>
+#include <CGAL/Context_completion_3/internal/Place.h>
 
 #include <Eigen/Dense>
 
@@ -43,24 +43,29 @@ public:
   /*!
     \param places the source places
     \param coverage of each, the share of the hole in which the source has a surface
-    \param mismatch of each place (rows, the hole last) with each place (columns) around the hole
+    \param mismatch of a place, or the hole, with another place around the hole
     \param radius places that are nearer to each other know each other's truth
     \param spacing of points
   */
   Fake_hole_statistics(const std::vector<Place>& places, const std::vector<double>& coverage,
-                       const Eigen::MatrixXd& mismatch, double radius, double spacing)
-    : m_mismatch(mismatch), m_spacing(spacing)
+                       const std::function<double(std::size_t, std::size_t)>& mismatch, double radius, double spacing)
+    : m_mismatch(Eigen::Index(places.size()) + 1, Eigen::Index(places.size())), m_spacing(spacing)
   {
-    for(std::size_t i = 0; i < places.size(); ++i)
-      m_ranking.push_back(rank(places, i, radius));
-    m_ranking.push_back(rank(places, target, radius));
+    const std::size_t n = places.size();
+    for(std::size_t k = 0; k <= n; ++k)
+      for(std::size_t j = 0; j < n; ++j)
+        m_mismatch(Eigen::Index(k), Eigen::Index(j)) =
+          mismatch(k == n ? target : k, j) + 2 * (std::max)(0., 0.97 - coverage[j]);
+    for(std::size_t i = 0; i <= n; ++i)
+      m_ranking.push_back(rank(places, i == n ? target : i, radius));
     choose_judges(coverage);
   }
 
   /// Places by their match to place `k`, without those that overlap it.
   const std::vector<std::size_t>& ranking(std::size_t k) const { return m_ranking[std::size_t(column(k))]; }
 
-  /// Mismatch between the surroundings of two places, 0 perfect, at least 1 hopeless.
+  /// Mismatch between the surroundings of two places, 0 perfect, at least 1 hopeless. A place that does not cover the
+  /// hole matches worse.
   double mismatch(std::size_t k, std::size_t j) const { return m_mismatch(column(k), Eigen::Index(j)); }
 
   /// Row of place `k` in matrices of all places and, last, the hole.
@@ -84,6 +89,26 @@ public:
     for(std::size_t r = 0; r < used; ++r)
       inverse += 1 / (1e-6 + mismatch(k, order[r]));
     return double(used) / inverse;
+  }
+
+  /// Mean of a field over so many best places of `k`; better matches count more.
+  /// \param field of a place, a vector
+  template <typename Field>
+  Eigen::VectorXd mean_over_best(std::size_t places, std::size_t k, const Field& field) const
+  {
+    const std::vector<std::size_t>& order = ranking(k);
+    Eigen::VectorXd sum;
+    double total = 0;
+    for(std::size_t r = 0; r < places && r < order.size(); ++r)
+    {
+      const double w = 1 / (0.02 + mismatch(k, order[r]));
+      if(r == 0)
+        sum = w * field(order[r]);
+      else
+        sum += w * field(order[r]);
+      total += w;
+    }
+    return sum / total;
   }
 
   /*!

@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Copy_forecast.h>
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
 #include <CGAL/Context_completion_3/internal/Hole_refinement.h>
 #include <CGAL/Context_completion_3/internal/Hole_relief.h>
@@ -148,13 +149,15 @@ public:
                                                                const Place_search<ConcurrencyTag>& search) const
   {
     return std::make_unique<Hole_refinement<ConcurrencyTag> >(m_known, search, match.patch, match.sampler, match.places,
-                                                              relief, m_ingredients.coherence);
+                                                              relief, m_ingredients);
   }
 
   /// Number of levels that `refinement()` is to be asked for.
   std::size_t number_of_finer_levels(const Patch& patch) const
   {
-    return m_ingredients.levels ? Hole_refinement<ConcurrencyTag>::number_of_levels(patch) : 0;
+    // without fake holes pieces cannot tell what they are worth
+    return m_ingredients.levels && m_ingredients.fake_holes ? Hole_refinement<ConcurrencyTag>::number_of_levels(patch)
+                                                            : 0;
   }
 
   /// The points of a hole after its last level.
@@ -213,11 +216,9 @@ public:
       probe.normal = s.normal;
       base.push_back(probe);
     }
-    target.overlap = at_most(overlap, 400);
-    target.base = at_most(base, 100);
-    for(const Match_probe& p : target.overlap)
-      target.around.push_back(
-        smoothed_place(known, p.position, p.normal, Place_index<ConcurrencyTag>::smoothing(target.radius)));
+    target.overlap = thinned(overlap, 400);
+    target.base = thinned(base, 100);
+    smooth_surroundings(known, target);
     return target;
   }
 
@@ -232,14 +233,8 @@ private:
     const Match_target target = match_target(m_known, patch);
     match.places = Place_search<ConcurrencyTag>(m_sources, m_search).search(target);
     match.reliefs.resize(match.places.size());
-    std::vector<std::size_t> indices;
-    for(std::size_t i = 0; i < match.places.size(); ++i)
-      indices.push_back(i);
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
-    {
-      match.reliefs[i] = match.sampler->relief(match.places[i]);
-      return true;
-    });
+    for_each_index<ConcurrencyTag>(match.places.size(), [&](std::size_t i)
+      { match.reliefs[i] = match.sampler->relief(match.places[i]); });
     const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
                                                                           target.radius, m_ingredients);
     match.forecast = forecast;
@@ -298,15 +293,6 @@ private:
     if(replaced > 0)
       text << "; finer levels copied " << replaced << (replaced == 1 ? " piece" : " pieces");
     return text.str();
-  }
-
-  static std::vector<Match_probe> at_most(const std::vector<Match_probe>& probes, std::size_t number)
-  {
-    std::vector<Match_probe> result;
-    const std::size_t n = (std::min)(number, probes.size());
-    for(std::size_t i = 0; i < n; ++i)
-      result.push_back(probes[i * probes.size() / n]);
-    return result;
   }
 
   const Model& m_known;

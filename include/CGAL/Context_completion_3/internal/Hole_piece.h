@@ -98,6 +98,8 @@ public:
     return pieces;
   }
 
+  /// What a piece has to fit to. The known share compares centres and settled samples with the samples inside that are
+  /// open; with half a rim and nothing settled it is about a half.
   /// \param is_settled per sample
   Piece_controls controls(const Hole_piece& piece, const std::vector<char>& is_settled) const
   {
@@ -105,7 +107,7 @@ public:
     const double width = Hole_pieces::width(piece.radius, m_patch.spacing());
     Piece_controls result;
     result.centers.assign(m_patch.centers().size(), 0.);
-    // in units of area: a centre at the rim stands for the half disk behind it
+    // a centre at the rim stands for what is behind it, too
     double known = 0, unknown = 0;
     for(std::size_t i = 0; i < m_patch.centers().size(); ++i)
     {

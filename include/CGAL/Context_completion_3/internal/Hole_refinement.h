@@ -14,12 +14,12 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Hole_piece.h>
 #include <CGAL/Context_completion_3/internal/Hole_relief.h>
 #include <CGAL/Context_completion_3/internal/Piece_forecast.h>
 #include <CGAL/Context_completion_3/internal/Place_search.h>
-
-#include <CGAL/for_each.h>
 
 #include <Eigen/Dense>
 
@@ -75,17 +75,16 @@ public:
     \param patch, sampler the base of the hole
     \param places of the whole hole
     \param relief what the first level gave
-    \param is_coherent whether places are taken over from the whole hole and from other pieces
+    \param ingredients among them, whether places are taken over from the whole hole and from other pieces
   */
   Hole_refinement(const Model& known, const Place_search<ConcurrencyTag>& search,
                   const std::shared_ptr<const Patch>& patch,
                   const std::shared_ptr<const Relief_sampler<ConcurrencyTag> >& sampler,
-                  const std::vector<Place>& places, const Hole_relief& relief, bool is_coherent)
-    : m_known(known), m_search(search), m_patch(patch), m_sampler(sampler), m_is_coherent(is_coherent),
-      m_relief(relief), m_first(relief.heights),
-      m_is_settled(patch->samples().size(), 0), m_pieces_of(*patch, sampler->search())
+                  const std::vector<Place>& places, const Hole_relief& relief, const Ingredients& ingredients)
+    : m_known(known), m_search(search), m_patch(patch), m_sampler(sampler), m_ingredients(ingredients),
+      m_relief(relief), m_first(relief.heights), m_is_settled(patch->samples().size(), 0), m_pieces_of(*patch, sampler->search())
   {
-    if(is_coherent)
+    if(ingredients.coherence)
       m_hints = places;
   }
 
@@ -107,13 +106,9 @@ public:
     return levels;
   }
 
-  /// How much finer the pieces are than the hole, as a number of levels.
-  std::size_t level() const { return m_level; }
-
   /// Cuts the hole into the pieces of a finer level, the first being 1.
   void begin_level(std::size_t level)
   {
-    m_level = level;
     m_pieces = m_pieces_of.of_radius(radius(*m_patch, level));
     m_is_settled.assign(m_patch->samples().size(), 0);
   }
@@ -153,16 +148,10 @@ public:
     for(double weight : match.controls.centers)
       window.is_center_needed.push_back(weight > 0);
     match.reliefs.resize(match.places.size());
-    std::vector<std::size_t> indices;
-    for(std::size_t i = 0; i < match.places.size(); ++i)
-      indices.push_back(i);
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
-    {
-      match.reliefs[i] = m_sampler->relief(match.places[i], window);
-      return true;
-    });
-    match.forecast = std::make_shared<Piece_forecast<ConcurrencyTag> >(*m_patch, piece, match.controls,
-                                                                      m_relief.heights, match.places, match.reliefs);
+    for_each_index<ConcurrencyTag>(match.places.size(), [&](std::size_t i)
+      { match.reliefs[i] = m_sampler->relief(match.places[i], window); });
+    match.forecast = std::make_shared<Piece_forecast<ConcurrencyTag> >(
+      *m_patch, piece, match.controls, m_relief.heights, match.places, match.reliefs, m_ingredients);
     match.chosen = match.forecast->best();
     // what has been settled is not the truth
     double drift = 0;
@@ -196,7 +185,8 @@ public:
     return result;
   }
 
-  void insert(const Hole_piece& piece, const Piece_filling& filling)
+  /// Settles a piece. \return whether it was replaced; otherwise it was confirmed as it is
+  bool insert(const Hole_piece& piece, const Piece_filling& filling)
   {
     // where the piece says what is there already, it is confirmed: another patch would but add a seam
     double change = 0, total = 0;
@@ -206,26 +196,31 @@ public:
       change += piece.weights[i] * std::abs(filling.heights[Eigen::Index(i)] - old);
       total += piece.weights[i];
     }
-    const bool is_confirmed = change < 0.05 * m_patch->spacing() * total;
+    const bool is_replaced = change >= 0.05 * m_patch->spacing() * total;
     for(std::size_t i = 0; i < piece.samples.size(); ++i)
     {
-      const std::size_t s = piece.samples[i];
+      const Eigen::Index s = Eigen::Index(piece.samples[i]);
       const double w = piece.weights[i];
+      m_relief.errors[s] += w * (filling.error - m_relief.errors[s]);
       if(w > 0.5)
-        m_is_settled[s] = 1;
-      m_relief.errors[Eigen::Index(s)] += w * (filling.error - m_relief.errors[Eigen::Index(s)]);
-      if(is_confirmed)
+        m_is_settled[std::size_t(s)] = 1;
+      if(!is_replaced)
         continue;
-      m_relief.heights[Eigen::Index(s)] += w * (filling.heights[Eigen::Index(i)] - m_relief.heights[Eigen::Index(s)]);
+      const double step = w * (filling.heights[Eigen::Index(i)] - m_relief.heights[s]);
+      m_relief.heights[s] += step;
+      for(Carried_place& other : m_relief.copies) // where it keeps its points, they follow
+        other.displacement[s] += step;
       if(w > 0.5)
-        m_relief.copy[s] = m_relief.copies.size();
+        m_relief.copy[std::size_t(s)] = m_relief.copies.size();
     }
-    if(m_is_coherent)
+    if(m_ingredients.coherence)
       m_hints.insert(m_hints.begin(), filling.carried.place);
-    if(is_confirmed)
-      return;
-    m_relief.copies.push_back(filling.carried);
-    ++m_replaced;
+    if(is_replaced)
+    {
+      m_relief.copies.push_back(filling.carried);
+      ++m_replaced;
+    }
+    return is_replaced;
   }
 
 private:
@@ -270,12 +265,10 @@ private:
     std::stable_sort(overlap.begin(), overlap.end(), [](const std::pair<double, Match_probe>& a,
                                                         const std::pair<double, Match_probe>& b)
       { return a.first < b.first; });
-    const std::size_t most = 400, step = overlap.size() / most + 1;
-    for(std::size_t i = 0; i < overlap.size(); i += step)
-      target.overlap.push_back(overlap[i].second);
-    for(const Match_probe& p : target.overlap)
-      target.around.push_back(
-        smoothed_place(m_known, p.position, p.normal, Place_index<ConcurrencyTag>::smoothing(target.radius)));
+    for(const std::pair<double, Match_probe>& probe : overlap)
+      target.overlap.push_back(probe.second);
+    target.overlap = thinned(target.overlap, 400);
+    smooth_surroundings(m_known, target);
     return target;
   }
 
@@ -296,14 +289,14 @@ private:
   const Place_search<ConcurrencyTag>& m_search;
   std::shared_ptr<const Patch> m_patch;
   std::shared_ptr<const Relief_sampler<ConcurrencyTag> > m_sampler;
-  bool m_is_coherent;
+  Ingredients m_ingredients;
   std::vector<Place> m_hints;            // places of the whole hole, and those of the pieces
   Hole_relief m_relief;
   Eigen::VectorXd m_first;               // heights that the first level left
   std::vector<char> m_is_settled;        // per sample: filled on this level
   Hole_pieces<ConcurrencyTag> m_pieces_of;
   std::vector<Hole_piece> m_pieces;
-  std::size_t m_level = 0, m_replaced = 0;
+  std::size_t m_replaced = 0;
 };
 
 } // namespace internal

@@ -15,7 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
-#include <CGAL/Context_completion_3/internal/Place_search.h>
+#include <CGAL/Context_completion_3/internal/Place.h>
 
 #include <Eigen/Dense>
 

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +37,17 @@ struct Match_probe
   Vector normal = Vector::Zero();
   double weight = 1;
 };
+
+/// Every k-th probe. Probes come by increasing distance from the rim, so all distances stay represented.
+inline std::vector<Match_probe> thinned(const std::vector<Match_probe>& probes, std::size_t number)
+{
+  if(probes.size() <= number)
+    return probes;
+  std::vector<Match_probe> result;
+  for(std::size_t i = 0; i < number; ++i)
+    result.push_back(probes[i * probes.size() / number]);
+  return result;
+}
 
 /// Weights of the match score; the terms are those of equations 1 to 3 of the paper, truncated.
 struct Match_weights

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/Hole_piece.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
@@ -24,7 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -45,38 +46,38 @@ public:
 
   /*!
     \param heights of the hole, per sample of its base
-    \param reliefs of the places, over the whole base
+    \param reliefs of the places, at least around the piece
+    \param ingredients whether several places may be averaged and are warped
   */
   Piece_forecast(const Patch& patch, const Hole_piece& piece, const Piece_controls& controls,
                  const Eigen::VectorXd& heights, const std::vector<Place>& places,
-                 const std::vector<Place_relief>& reliefs)
-    : m_patch(patch), m_piece(piece), m_controls(controls), m_heights(heights), m_reliefs(reliefs)
+                 const std::vector<Place_relief>& reliefs, const Ingredients& ingredients)
+    : m_patch(patch), m_piece(piece), m_controls(controls), m_heights(heights), m_reliefs(reliefs),
+      m_ingredients(ingredients), m_statistics(places, coverages(), mismatch(), piece.radius, patch.spacing())
   {
-    for(const Place_relief& relief : reliefs)
-      m_coverage.push_back(coverage(relief));
-    m_statistics = std::make_unique<Fake_hole_statistics>(places, m_coverage, mismatches(), piece.radius,
-                                                          patch.spacing());
     prepare_membrane();
   }
 
   /// The places by how well they match around the piece.
-  const std::vector<std::size_t>& ranking() const { return m_statistics->ranking(target); }
+  const std::vector<std::size_t>& ranking() const { return m_statistics.ranking(target); }
 
   /// The best plan that copies and is to be believed; its plan has no places if there is none.
   Plan_forecast best() const
   {
     Plan_forecast result;
-    if(!m_statistics->is_sufficient())
+    if(!m_statistics.is_sufficient())
       return result;
     for(std::size_t places : {1, 2, 4})
     {
+      if(places > 1 && !m_ingredients.averaging)
+        break;
       Plan_forecast forecast;
       forecast.plan.places = places;
       std::vector<double> errors;
-      const Trust trust = m_statistics->learn_trust(
+      const Trust trust = m_statistics.learn_trust(
         places, [&](const Filling_plan& plan, std::size_t k) { return fake_error(plan, k); }, errors);
-      forecast.plan.share = trust.share(m_statistics->joint_mismatch(places, target));
-      m_statistics->extrapolate(errors, [&](std::size_t k) { return m_statistics->copy_predictor(places, k); },
+      forecast.plan.share = trust.share(m_statistics.joint_mismatch(places, target));
+      m_statistics.extrapolate(errors, [&](std::size_t k) { return m_statistics.copy_predictor(places, k); },
                                 forecast);
       if(forecast.belief() > 0 && (result.plan.places == 0 || forecast.error < result.error))
         result = forecast;
@@ -90,43 +91,48 @@ public:
   /// Displacement that fits place `j` to the controls, parallel to the samples of the piece.
   Eigen::VectorXd fitting(std::size_t j) const
   {
-    return m_membrane.col(m_statistics->column(target)) - m_membrane.col(Eigen::Index(j));
+    return m_membrane.col(m_statistics.column(target)) - m_membrane.col(Eigen::Index(j));
   }
 
 private:
-  double coverage(const Place_relief& relief) const
+  // share of the piece in which each place has a surface
+  std::vector<double> coverages() const
   {
-    double covered = 0, total = 0;
-    for(std::size_t i = 0; i < m_piece.samples.size(); ++i)
+    std::vector<double> result;
+    for(const Place_relief& relief : m_reliefs)
     {
-      covered += relief.is_covered[m_piece.samples[i]] ? m_piece.weights[i] : 0;
-      total += m_piece.weights[i];
+      double covered = 0, total = 0;
+      for(std::size_t i = 0; i < m_piece.samples.size(); ++i)
+      {
+        covered += relief.is_covered[m_piece.samples[i]] ? m_piece.weights[i] : 0;
+        total += m_piece.weights[i];
+      }
+      result.push_back(covered / total);
     }
-    return covered / total;
+    return result;
   }
 
-  Eigen::MatrixXd mismatches() const
+  std::function<double(std::size_t, std::size_t)> mismatch() const
   {
-    const std::size_t n = m_reliefs.size();
-    Eigen::MatrixXd result(Eigen::Index(n) + 1, Eigen::Index(n));
-    for(std::size_t k = 0; k <= n; ++k)
-      for(std::size_t j = 0; j < n; ++j)
+    return [this](std::size_t k, std::size_t j)
+    {
+      Rim_mismatch result(m_patch.spacing());
+      result.add_centers(k == target ? nullptr : &m_reliefs[k], m_reliefs[j], m_controls.centers);
+      for(std::size_t s : m_controls.settled)
       {
-        Rim_mismatch mismatch(m_patch.spacing());
-        mismatch.add_centers(k == n ? nullptr : &m_reliefs[k], m_reliefs[j], m_controls.centers);
-        for(std::size_t s : m_controls.settled)
-        {
-          const Eigen::Index i = Eigen::Index(s);
-          mismatch.add_height((k == n ? m_heights : m_reliefs[k].height)[i] - m_reliefs[j].height[i], 0.5);
-        }
-        result(Eigen::Index(k), Eigen::Index(j)) = mismatch.mean() + 2 * (std::max)(0., 0.97 - m_coverage[j]);
+        const Eigen::Index i = Eigen::Index(s);
+        result.add_height((k == target ? m_heights : m_reliefs[k].height)[i] - m_reliefs[j].height[i], 0.5);
       }
-    return result;
+      return result.mean();
+    };
   }
 
   // Continues the values at the controls, of the places and of the hole, over the piece.
   void prepare_membrane()
   {
+    m_membrane = Eigen::MatrixXd::Zero(Eigen::Index(m_piece.samples.size()), Eigen::Index(m_reliefs.size()) + 1);
+    if(!m_ingredients.warp)
+      return;
     const Eigen::Index n = Eigen::Index(m_reliefs.size()), rim = Eigen::Index(m_controls.rim.size());
     std::vector<Vector> positions;
     for(std::size_t i : m_controls.rim)
@@ -144,7 +150,6 @@ private:
     }
     const Membrane membrane(positions, m_piece.radius);
     const Eigen::MatrixXd weights = membrane.solve(values);
-    m_membrane.resize(Eigen::Index(m_piece.samples.size()), n + 1);
     Eigen::RowVectorXd row;
     for(std::size_t i = 0; i < m_piece.samples.size(); ++i)
     {
@@ -171,23 +176,16 @@ private:
   // parallel to the samples of the piece
   Eigen::VectorXd predict(const Filling_plan& plan, std::size_t k) const
   {
-    const Eigen::VectorXd smooth = m_membrane.col(m_statistics->column(k));
-    const std::vector<std::size_t>& order = m_statistics->ranking(k);
-    const std::size_t used = (std::min)(plan.places, order.size());
-    if(used == 0)
+    const Eigen::VectorXd smooth = m_membrane.col(m_statistics.column(k));
+    if(m_statistics.ranking(k).empty())
       return smooth;
-    Eigen::VectorXd copy = Eigen::VectorXd::Zero(smooth.size());
-    double total = 0;
-    for(std::size_t r = 0; r < used; ++r)
+    return smooth + plan.share * m_statistics.mean_over_best(plan.places, k, [&](std::size_t j)
     {
-      const std::size_t j = order[r];
-      const double w = 1 / (0.02 + m_statistics->mismatch(k, j));
-      total += w;
+      Eigen::VectorXd relief = -m_membrane.col(Eigen::Index(j));
       for(std::size_t i = 0; i < m_piece.samples.size(); ++i)
-        copy[Eigen::Index(i)] += w * (m_reliefs[j].height[Eigen::Index(m_piece.samples[i])] -
-                                      m_membrane(Eigen::Index(i), Eigen::Index(j)));
-    }
-    return smooth + plan.share * (copy / total);
+        relief[Eigen::Index(i)] += m_reliefs[j].height[Eigen::Index(m_piece.samples[i])];
+      return relief;
+    });
   }
 
   const Patch& m_patch;
@@ -195,8 +193,8 @@ private:
   Piece_controls m_controls;
   Eigen::VectorXd m_heights;
   std::vector<Place_relief> m_reliefs;
-  std::vector<double> m_coverage;
-  std::unique_ptr<Fake_hole_statistics> m_statistics;
+  Ingredients m_ingredients;
+  Fake_hole_statistics m_statistics;
   Eigen::MatrixXd m_membrane;            // samples of the piece x places, the hole last
 };
 

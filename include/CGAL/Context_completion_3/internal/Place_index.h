@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Motion.h>
 #include <CGAL/Context_completion_3/internal/Nearest_point_grid.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
@@ -21,8 +22,6 @@
 #include <CGAL/Context_completion_3/internal/Place_shortlist.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
-
-#include <CGAL/for_each.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,11 +59,8 @@ public:
     m_grid = std::make_unique<Nearest_point_grid>(model.points(), voxel, int(std::ceil(m_tau / voxel)) + 1);
     const std::vector<std::size_t> chosen = spread_places(model);
     m_places.resize(chosen.size());
-    CGAL::for_each<ConcurrencyTag>(sequence(chosen.size()), [&](std::size_t k) -> bool
-    {
-      m_places[k] = smoothed_place(model, model.position(chosen[k]), model.normal(chosen[k]), smoothing(radius));
-      return true;
-    });
+    for_each_index<ConcurrencyTag>(chosen.size(), [&](std::size_t k)
+      { m_places[k] = smoothed_place(model, model.position(chosen[k]), model.normal(chosen[k]), smoothing(radius)); });
     if(m_places.size() > number_of_places)
       describe_places();
   }
@@ -81,9 +77,12 @@ public:
   std::vector<Surface_frame> frames(const Surface_frame& frame, const std::vector<Smoothed_place>& around) const
   {
     std::vector<Surface_frame> frames;
-    for(std::size_t k : m_shortlist ? m_shortlist->nearest(described(frame, around), m_number_of_places)
-                                    : sequence(m_places.size()))
-      frames.push_back(m_places[k].frame);
+    if(m_shortlist)
+      for(std::size_t k : m_shortlist->nearest(described(frame, around), m_number_of_places))
+        frames.push_back(m_places[k].frame);
+    else
+      for(const Smoothed_place& place : m_places)
+        frames.push_back(place.frame);
     return frames;
   }
 
@@ -103,7 +102,7 @@ private:
       origins.push_back(place.frame.origin);
     const Neighbor_search search(origins);
     std::vector<Place_descriptor> descriptors(m_places.size(), described(m_places[0].frame, {}));
-    CGAL::for_each<ConcurrencyTag>(sequence(m_places.size()), [&](std::size_t k) -> bool
+    for_each_index<ConcurrencyTag>(m_places.size(), [&](std::size_t k)
     {
       std::vector<std::size_t> ball;
       search.in_ball(origins[k], 1.5 * Place_descriptor::reach() * m_radius, ball);
@@ -111,7 +110,6 @@ private:
       for(std::size_t j : ball)
         neighbors.push_back(&m_places[j]);
       descriptors[k] = Place_descriptor(m_places[k].frame, neighbors, m_radius);
-      return true;
     });
     m_shortlist = std::make_unique<Place_shortlist>(descriptors);
   }
@@ -144,14 +142,6 @@ private:
       const double larger = distance * (std::max)(1.1, std::sqrt(double(chosen.size()) / double(most)));
       distance = distance < farthest ? (std::min)(farthest, larger) : larger;
     }
-  }
-
-  static std::vector<std::size_t> sequence(std::size_t n)
-  {
-    std::vector<std::size_t> indices(n);
-    for(std::size_t i = 0; i < n; ++i)
-      indices[i] = i;
-    return indices;
   }
 
   double m_radius, m_spacing;

@@ -15,7 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Example_source.h>
-#include <CGAL/Context_completion_3/internal/Place_search.h>
+#include <CGAL/Context_completion_3/internal/Place.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
 #include <Eigen/Dense>
@@ -98,7 +98,7 @@ public:
 
   Place_relief relief(const Place& place) const { return relief(place, m_whole); }
 
-  /// The relief in a part of the hole; outside of it nothing is covered and nothing is found.
+  /// The relief in a part of the hole; what it says outside is not to be used.
   Place_relief relief(const Place& place, const Relief_window& window) const
   {
     Place_relief result;

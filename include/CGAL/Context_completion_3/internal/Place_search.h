@@ -15,7 +15,9 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Example_source.h>
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Overlap_alignment.h>
+#include <CGAL/Context_completion_3/internal/Place.h>
 #include <CGAL/Context_completion_3/internal/Place_index.h>
 
 #include <Eigen/Geometry>
@@ -30,15 +32,6 @@ namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
 
-/// A source place carried into a hole.
-struct Place
-{
-  std::size_t source = 0;            ///< which example source
-  Motion motion;                     ///< source to hole
-  Vector origin = Vector::Zero();    ///< where the centre of the hole lies on the source
-  double score = 0;                  ///< match score, 0 perfect
-};
-
 /// What is searched for: the surroundings of a hole and its current base.
 struct Match_target
 {
@@ -49,6 +42,15 @@ struct Match_target
   std::vector<Match_probe> base;            ///< the current approximation inside, of less weight
   std::vector<Smoothed_place> around;       ///< known surroundings, smoothed: what the shortlist goes by
 };
+
+/// Fills in what the shortlist goes by.
+template <typename ConcurrencyTag>
+void smooth_surroundings(const Surface_model<ConcurrencyTag>& known, Match_target& target)
+{
+  const double deviation = Place_index<ConcurrencyTag>::smoothing(target.radius);
+  for(const Match_probe& p : target.overlap)
+    target.around.push_back(smoothed_place(known, p.position, p.normal, deviation));
+}
 
 struct Search_settings
 {
@@ -144,13 +146,11 @@ private:
     const std::vector<Match_probe> some = thinned(target.overlap, 120);
     Match_weights weights;
     weights.tau = (std::max)(2 * target.spacing, 0.08 * target.radius);
-    std::vector<std::size_t> indices = sequence(best.size());
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    for_each_index<ConcurrencyTag>(best.size(), [&](std::size_t i)
     {
       if(m_settings.alignment)
         best[i].motion = fast.align(some, best[i].motion, tau, 1.5 * (std::max)(target.spacing, grid.voxel()), 5);
       best[i].score = fast.score(some, best[i].motion, weights);
-      return true;
     });
     keep_best(best, best.size());
     std::vector<Place> places;
@@ -158,13 +158,11 @@ private:
       places.push_back(place(s, target, h.motion, h.score));
     places = separated(places, 0.25 * target.radius, m_settings.number_of_measured);
 
-    indices = sequence(places.size());
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    for_each_index<ConcurrencyTag>(places.size(), [&](std::size_t i)
     {
       const Motion motion = m_settings.alignment
         ? exact.align(target.overlap, places[i].motion, weights.tau, 1.5 * target.spacing, 8) : places[i].motion;
       places[i] = place(s, target, motion, exact_score(model, target, motion));
-      return true;
     });
     found.insert(found.end(), places.begin(), places.end());
   }
@@ -198,8 +196,7 @@ private:
     for(std::size_t t = 0; t < turns; ++t)
       turned.push_back(target.frame.turned(2 * 3.14159265358979323846 * double(t) / double(turns)));
     std::vector<Hypothesis> all(frames.size() * kept);
-    const std::vector<std::size_t> indices = sequence(frames.size());
-    CGAL::for_each<ConcurrencyTag>(indices, [&](std::size_t i) -> bool
+    for_each_index<ConcurrencyTag>(frames.size(), [&](std::size_t i)
     {
       std::vector<Hypothesis> here;
       for(int mirrored = 0; mirrored < (m_settings.mirror ? 2 : 1); ++mirrored)
@@ -214,7 +211,6 @@ private:
         { return a.score < b.score; });
       for(std::size_t k = 0; k < kept; ++k)
         all[i * kept + k] = here[(std::min)(k, here.size() - 1)];
-      return true;
     });
     return all;
   }
@@ -292,25 +288,6 @@ private:
         break;
     }
     return kept;
-  }
-
-  static std::vector<std::size_t> sequence(std::size_t n)
-  {
-    std::vector<std::size_t> indices(n);
-    for(std::size_t i = 0; i < n; ++i)
-      indices[i] = i;
-    return indices;
-  }
-
-  // Every k-th probe; probes come by increasing distance from the rim, so all distances stay represented.
-  static std::vector<Match_probe> thinned(const std::vector<Match_probe>& probes, std::size_t number)
-  {
-    if(probes.size() <= number)
-      return probes;
-    std::vector<Match_probe> result;
-    for(std::size_t i = 0; i < number; ++i)
-      result.push_back(probes[i * probes.size() / number]);
-    return result;
   }
 
   const std::vector<Source>& m_sources;
