@@ -161,10 +161,10 @@ TEST(Hole_pieces, More_is_known_near_the_rim_and_where_samples_are_settled)
   }
   ASSERT_LT(distance(*inner), 4);
   ASSERT_GT(distance(*outer), 9);
-  std::vector<char> is_settled(base.size(), 0);
-  EXPECT_EQ(pieces_of.controls(*inner, is_settled).known_share, 0.);
-  EXPECT_TRUE(pieces_of.controls(*inner, is_settled).rim.empty());
-  const Piece_controls at_rim = pieces_of.controls(*outer, is_settled);
+  std::vector<std::size_t> settled_by(base.size(), no_index);
+  EXPECT_EQ(pieces_of.controls(*inner, settled_by).known_share, 0.);
+  EXPECT_TRUE(pieces_of.controls(*inner, settled_by).rim.empty());
+  const Piece_controls at_rim = pieces_of.controls(*outer, settled_by);
   EXPECT_GT(at_rim.known_share, 0.25);
   EXPECT_LT(at_rim.known_share, 1.);
   EXPECT_TRUE(at_rim.settled.empty());
@@ -175,17 +175,67 @@ TEST(Hole_pieces, More_is_known_near_the_rim_and_where_samples_are_settled)
     EXPECT_EQ(at_rim.centers[i] > 0, from_middle <= farthest);
   }
   for(std::size_t s = 0; s < base.size(); ++s)
-    is_settled[s] = (base[s].position - center).norm() > 6;
-  EXPECT_GT(pieces_of.controls(*outer, is_settled).known_share, at_rim.known_share);
-  const Piece_controls around = pieces_of.controls(*inner, is_settled);
+    if((base[s].position - center).norm() > 6)
+      settled_by[s] = pieces.size();
+  EXPECT_GT(pieces_of.controls(*outer, settled_by).known_share, at_rim.known_share);
+  const Piece_controls around = pieces_of.controls(*inner, settled_by);
   EXPECT_GT(around.known_share, 0.3);
   for(std::size_t i = 0; i < around.settled.size(); ++i)
   {
-    EXPECT_TRUE(is_settled[around.settled[i]]);
+    EXPECT_NE(settled_by[around.settled[i]], no_index);
     for(std::size_t j = 0; j < i; ++j)
       EXPECT_GT((base[around.settled[i]].position - base[around.settled[j]].position).norm(),
                 1.5 * scene.patch->spacing());
   }
+  // what it has filled itself is not known to a piece
+  for(std::size_t& by : settled_by)
+    by = by == no_index ? no_index : inner->number;
+  EXPECT_TRUE(pieces_of.controls(*inner, settled_by).settled.empty());
+  EXPECT_EQ(pieces_of.controls(*inner, settled_by).known_share, 0.);
+}
+
+TEST(Hole_refinement, A_piece_is_tried_again_when_its_surroundings_have_been_filled)
+{
+  const Scene scene = plane_scene();
+  const std::size_t n = scene.patch->samples().size();
+  Hole_relief relief;
+  relief.heights = Eigen::VectorXd::Zero(Eigen::Index(n));
+  relief.errors = Eigen::VectorXd::Constant(Eigen::Index(n), scene.patch->spacing());
+  relief.copy.assign(n, no_index);
+  const Place_search<Tag> search(scene.sources, Search_settings());
+  Hole_refinement<Tag> refinement(scene.model(), search, scene.patch, scene.sampler, {}, relief, Ingredients());
+  refinement.begin_level(1);
+  const std::vector<Hole_piece>& pieces = refinement.pieces();
+  const Hole_piece* tried = nullptr;
+  for(const Hole_piece& p : pieces)
+    if(refinement.is_open(p))
+      tried = &p;
+  ASSERT_NE(tried, nullptr);
+  refinement.find(*tried);
+  EXPECT_FALSE(refinement.is_open(*tried));
+  const auto fill = [&](const Hole_piece& p)
+  {
+    Piece_filling filling;
+    filling.heights = Eigen::VectorXd::Constant(Eigen::Index(p.samples.size()), 0.5 * scene.patch->spacing());
+    filling.error = scene.patch->spacing();
+    filling.carried.displacement = Eigen::VectorXd::Zero(Eigen::Index(n));
+    EXPECT_TRUE(refinement.insert(p, filling));
+  };
+  fill(*tried);
+  EXPECT_FALSE(refinement.is_open(*tried)) << "its own filling is no news";
+  const auto distance = [&](const Hole_piece& p)
+  {
+    return (scene.patch->samples()[p.middle].position - scene.patch->samples()[tried->middle].position).norm();
+  };
+  const Hole_piece* nearest = nullptr;
+  for(const Hole_piece& p : pieces)
+    if(&p != tried && (nearest == nullptr || distance(p) < distance(*nearest)))
+      nearest = &p;
+  ASSERT_NE(nearest, nullptr);
+  fill(*nearest);
+  EXPECT_TRUE(refinement.is_open(*tried));
+  EXPECT_EQ(refinement.number_of_replaced(), 2u);
+  EXPECT_EQ(refinement.relief().copies.size(), 2u);
 }
 
 TEST(Relief_sampler, A_window_shows_what_the_whole_relief_has_there)

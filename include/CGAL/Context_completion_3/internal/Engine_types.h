@@ -83,6 +83,7 @@ struct Ingredients
   bool fake_holes = true;    ///< fake holes decide; otherwise the best place is always copied
   bool levels = true;        ///< pieces of the hole are matched anew at finer levels
   bool coherence = true;     ///< pieces try the places of the whole hole and of their neighbours
+  bool passes = true;        ///< pieces are matched again when others around them have been filled
   bool kriging = true;       ///< smooth bases may continue what their trend misses as a random field
 };
 
@@ -94,6 +95,7 @@ struct Engine_parameters
   double maximum_hole_diameter = 0;           ///< 0: no limit
   std::vector<Bbox_3> regions;                ///< fill only here (empty: everywhere)
   std::vector<Bbox_3> excluded_regions;       ///< never fill here
+  std::vector<Bbox_3> user_holes;             ///< what is open in each is one hole, found or not
   std::vector<char> is_example;               ///< per input point (empty: all may serve)
   std::vector<Surface_points> examples;       ///< further example point sets
   std::size_t maximum_depth = 0;              ///< 0: from the spacing

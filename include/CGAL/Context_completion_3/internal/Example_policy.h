@@ -50,6 +50,7 @@ public:
   {
     std::size_t chosen;                              ///< index into the chosen holes
     std::size_t piece;                               ///< `no_index`: the whole hole
+    std::size_t pass = 0;                            ///< over the pieces of a level
   };
 
   struct Match
@@ -71,13 +72,20 @@ public:
   Example_policy(const Hole_map<ConcurrencyTag>& map, const Hole_completion<ConcurrencyTag>& completion,
                  const std::vector<Hole>& holes, const std::vector<std::size_t>& chosen,
                  std::vector<Added_point>& added, std::vector<Hole_outcome>& outcomes)
-    : m_map(map), m_completion(completion), m_holes(holes), m_chosen(chosen), m_added(added), m_outcomes(outcomes),
-      m_progress(chosen.size()), m_piece_search(completion.piece_search())
+    : m_map(map), m_completion(completion), m_holes(holes), m_added(added), m_outcomes(outcomes),
+      m_piece_search(completion.piece_search())
   {
-    for(std::size_t i = 0; i < chosen.size(); ++i)
+    for(std::size_t hole : chosen)
     {
-      const Smooth_patch<ConcurrencyTag>& patch = *holes[chosen[i]].patch;
-      Progress& p = m_progress[i];
+      if(!holes[hole].patch)
+      {
+        outcomes[hole].reason = "not filled: it opens outwards, so that no base closes it";
+        continue;
+      }
+      m_chosen.push_back(hole);
+      m_progress.emplace_back();
+      const Smooth_patch<ConcurrencyTag>& patch = *holes[hole].patch;
+      Progress& p = m_progress.back();
       p.first_level = p.finest_copy = map.level(patch);
       p.last_level = (std::min)(p.first_level + completion.number_of_finer_levels(patch),
                                 (std::max)(p.first_level, map.tree().maximum_depth()));
@@ -111,10 +119,11 @@ public:
     {
       const Progress& p = m_progress[i];
       if(level == p.first_level)
-        targets.push_back({i, no_index});
+        targets.push_back({i, no_index, 0});
       if(p.refinement && level <= p.last_level)
-        for(std::size_t piece = 0; piece < p.refinement->pieces().size(); ++piece)
-          targets.push_back({i, piece});
+        for(std::size_t pass = 0; pass < m_completion.number_of_passes(); ++pass)
+          for(std::size_t piece = 0; piece < p.refinement->pieces().size(); ++piece)
+            targets.push_back({i, piece, pass});
     }
     return targets;
   }
@@ -124,7 +133,9 @@ public:
     if(is_whole(target))
       return m_map.number_of_valid_neighbors(patch(target));
     // of 26, as cells have; holes one after the other, because they do not depend on each other and share a search
-    return 27 * (m_progress.size() - target.chosen) + std::size_t(26 * refinement(target).known_share(piece(target)));
+    const std::size_t passes = m_completion.number_of_passes();
+    return 27 * (passes * (m_progress.size() - target.chosen) - target.pass) +
+           std::size_t(26 * refinement(target).known_share(piece(target)));
   }
 
   bool is_still_invalid(const Target& target) const
@@ -132,13 +143,13 @@ public:
     return is_whole(target) || refinement(target).is_open(piece(target));
   }
 
-  Match find_best_match(const Target& target) const
+  Match find_best_match(const Target& target)
   {
     Match match;
     if(is_whole(target))
       match.hole = m_completion.find(m_holes[m_chosen[target.chosen]]);
     else
-      match.piece = refinement(target).find(piece(target));
+      match.piece = m_progress[target.chosen].refinement->find(piece(target));
     return match;
   }
 

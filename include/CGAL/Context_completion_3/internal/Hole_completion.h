@@ -160,6 +160,9 @@ public:
                                                             : 0;
   }
 
+  /// How often the pieces of a level are gone through.
+  std::size_t number_of_passes() const { return m_ingredients.passes ? 3 : 1; }
+
   /// The points of a hole after its last level.
   Hole_filling transfer(const Match& match, const Hole_refinement<ConcurrencyTag>& refinement) const
   {

@@ -40,6 +40,7 @@ struct Piece_controls
 /// A part of a hole that a finer level fills on its own.
 struct Hole_piece
 {
+  std::size_t number = 0;                ///< among the pieces of its level
   std::size_t middle = 0;                ///< sample of the base
   double radius = 0;
   std::vector<std::size_t> samples;      ///< of the base, within the radius and a few spacings
@@ -80,6 +81,7 @@ public:
         continue;
       grid.insert(sample.position);
       Hole_piece piece;
+      piece.number = pieces.size();
       piece.middle = s;
       piece.radius = radius;
       std::vector<std::size_t> ball;
@@ -100,8 +102,9 @@ public:
 
   /// What a piece has to fit to. The known share compares centres and settled samples with the samples inside that are
   /// open; with half a rim and nothing settled it is about a half.
-  /// \param is_settled per sample
-  Piece_controls controls(const Hole_piece& piece, const std::vector<char>& is_settled) const
+  /// \param settled_by per sample: number of the piece that has filled it on this level, or `no_index`; what the piece
+  ///        itself has filled is not known to it
+  Piece_controls controls(const Hole_piece& piece, const std::vector<std::size_t>& settled_by) const
   {
     const Base_sample& middle = m_patch.samples()[piece.middle];
     const double width = Hole_pieces::width(piece.radius, m_patch.spacing());
@@ -131,7 +134,7 @@ public:
       const Base_sample& sample = m_patch.samples()[s];
       if(!is_same_side(sample.normal, middle.normal))
         continue;
-      if(!is_settled[s])
+      if(settled_by[s] == no_index || settled_by[s] == piece.number)
       {
         unknown += (sample.position - middle.position).norm() < piece.radius ? 0.5 : 0;
         continue;

@@ -82,7 +82,8 @@ public:
                   const std::shared_ptr<const Relief_sampler<ConcurrencyTag> >& sampler,
                   const std::vector<Place>& places, const Hole_relief& relief, const Ingredients& ingredients)
     : m_known(known), m_search(search), m_patch(patch), m_sampler(sampler), m_ingredients(ingredients),
-      m_relief(relief), m_first(relief.heights), m_is_settled(patch->samples().size(), 0), m_pieces_of(*patch, sampler->search())
+      m_relief(relief), m_first(relief.heights), m_settled_by(patch->samples().size(), no_index),
+      m_pieces_of(*patch, sampler->search())
   {
     if(ingredients.coherence)
       m_hints = places;
@@ -110,13 +111,16 @@ public:
   void begin_level(std::size_t level)
   {
     m_pieces = m_pieces_of.of_radius(radius(*m_patch, level));
-    m_is_settled.assign(m_patch->samples().size(), 0);
+    m_settled_by.assign(m_patch->samples().size(), no_index);
+    m_settled_at.assign(m_patch->samples().size(), 0);
+    m_tried_at.assign(m_pieces.size(), no_index);
+    m_time = 0;
   }
 
   /// Share of the surroundings of a piece that is known or settled; changes with each insertion.
   double known_share(const Hole_piece& piece) const
   {
-    return m_pieces_of.controls(piece, m_is_settled).known_share;
+    return m_pieces_of.controls(piece, m_settled_by).known_share;
   }
 
   /// Error to expect in a piece as it is.
@@ -131,16 +135,26 @@ public:
     return sum / total;
   }
 
-  /// Whether something is known to match, and something to gain.
+  /// Whether something is known to match, and something to gain; for a piece that was tried before, whether enough of
+  /// its surroundings has been settled since.
   bool is_open(const Hole_piece& piece) const
   {
-    return known_share(piece) > 0.25 && error(piece) > 0.1 * m_patch->spacing();
+    const Piece_controls controls = m_pieces_of.controls(piece, m_settled_by);
+    if(controls.known_share <= 0.25 || error(piece) <= 0.1 * m_patch->spacing())
+      return false;
+    if(m_tried_at[piece.number] == no_index)
+      return true;
+    std::size_t changed = 0;
+    for(std::size_t s : controls.settled)
+      changed += m_settled_at[s] > m_tried_at[piece.number] ? 1 : 0;
+    return double(changed) > 0.1 * double(controls.rim.size() + controls.settled.size());
   }
 
-  Piece_match<ConcurrencyTag> find(const Hole_piece& piece) const
+  Piece_match<ConcurrencyTag> find(const Hole_piece& piece)
   {
+    m_tried_at[piece.number] = m_time;
     Piece_match<ConcurrencyTag> match;
-    match.controls = m_pieces_of.controls(piece, m_is_settled);
+    match.controls = m_pieces_of.controls(piece, m_settled_by);
     match.places = m_search.search(match_target(piece, match.controls), m_hints);
     Relief_window window;
     window.middle = m_patch->samples()[piece.middle].position;
@@ -197,13 +211,17 @@ public:
       total += piece.weights[i];
     }
     const bool is_replaced = change >= 0.05 * m_patch->spacing() * total;
+    m_tried_at[piece.number] = ++m_time;   // what it settles itself is no news to it
     for(std::size_t i = 0; i < piece.samples.size(); ++i)
     {
       const Eigen::Index s = Eigen::Index(piece.samples[i]);
       const double w = piece.weights[i];
       m_relief.errors[s] += w * (filling.error - m_relief.errors[s]);
       if(w > 0.5)
-        m_is_settled[std::size_t(s)] = 1;
+      {
+        m_settled_by[std::size_t(s)] = piece.number;
+        m_settled_at[std::size_t(s)] = m_time;
+      }
       if(!is_replaced)
         continue;
       const double step = w * (filling.heights[Eigen::Index(i)] - m_relief.heights[s]);
@@ -293,7 +311,10 @@ private:
   std::vector<Place> m_hints;            // places of the whole hole, and those of the pieces
   Hole_relief m_relief;
   Eigen::VectorXd m_first;               // heights that the first level left
-  std::vector<char> m_is_settled;        // per sample: filled on this level
+  std::vector<std::size_t> m_settled_by; // per sample: the piece that filled it on this level, or `no_index`
+  std::vector<std::size_t> m_settled_at; // per sample: the insertion that did
+  std::vector<std::size_t> m_tried_at;   // per piece: insertions before its last search, or `no_index`
+  std::size_t m_time = 0;                // insertions on this level
   Hole_pieces<ConcurrencyTag> m_pieces_of;
   std::vector<Hole_piece> m_pieces;
   std::size_t m_replaced = 0;
