@@ -34,9 +34,10 @@ struct Options
   std::string input, output, added, report;
   std::vector<std::string> examples;
   bool is_help = false, is_list = false, is_json = false, is_quiet = false;
+  bool use_faces = true;                        ///< of a mesh: for normals, and to tell holes
 
   std::vector<std::size_t> holes;               ///< empty: all
-  std::vector<CGAL::Bbox_3> boxes, excluded_boxes;
+  std::vector<CGAL::Bbox_3> boxes, excluded_boxes, user_holes;
   double minimum_diameter = 0, maximum_diameter = 0, tolerance = 0;
   std::size_t depth = 0, minimum_cell_points = 15, turns = 24, candidates = 2000;
   bool is_paper = false, is_nearest = false, use_mirrors = true;
@@ -131,7 +132,7 @@ void set_integer(const po::variables_map& given, const std::string& name, std::s
 inline po::options_description visible_options()
 {
   const auto text = [](const char* name) { return po::value<std::vector<std::string> >()->value_name(name); };
-  po::options_description files("Files"), choice("Which holes"), normals("Normals"), method("How"), run("Running");
+  po::options_description files("Files"), choice("Which holes"), normals("Normals and faces"), method("How"), run("Running");
   files.add_options()
     ("added", text("FILE"), "write the new points alone, too")
     ("report", text("FILE.json"), "write a report of all holes")
@@ -143,8 +144,10 @@ inline po::options_description visible_options()
     ("min-diameter", text("D"), "leave smaller holes, in model units")
     ("max-diameter", text("D"), "leave larger holes, in model units")
     ("box", text("x0,y0,z0,x1,y1,z1"), "fill only in this box (repeatable)")
+    ("hole-box", text("x0,y0,z0,x1,y1,z1"), "a hole, found or not: fill what is open in this box (repeatable)")
     ("exclude-box", text("x0,y0,z0,x1,y1,z1"), "never fill in this box (repeatable)");
   normals.add_options()
+    ("ignore-faces", "of a mesh: neither normals nor the absence of holes are taken from its faces")
     ("estimate-normals", text("K"), "from K nearest points (6 to 1000; 18 is a good start)");
   method.add_options()
     ("nearest", "where detail is random: nearest in distance, not true in texture")
@@ -192,6 +195,7 @@ inline Options checked(const po::variables_map& given)
   options.report = value(given, "report");
   if(options.is_list && !(options.added.empty() && options.report.empty()))
     throw Usage_error("--list fills nothing, so that --added and --report have nothing to write");
+  options.use_faces = given.count("ignore-faces") == 0;
   options.examples = values(given, "examples");
 
   if(given.count("holes") > 0)
@@ -201,6 +205,8 @@ inline Options checked(const po::variables_map& given)
     options.boxes.push_back(parse_box(box, "--box"));
   for(const std::string& box : values(given, "exclude-box"))
     options.excluded_boxes.push_back(parse_box(box, "--exclude-box"));
+  for(const std::string& box : values(given, "hole-box"))
+    options.user_holes.push_back(parse_box(box, "--hole-box"));
   set_length(given, "min-diameter", options.minimum_diameter);
   set_length(given, "max-diameter", options.maximum_diameter);
   if(options.maximum_diameter > 0 && options.minimum_diameter > options.maximum_diameter)

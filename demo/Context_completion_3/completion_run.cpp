@@ -13,6 +13,7 @@
 
 #include "completion_run.h"
 #include "failure.h"
+#include "mesh_faces.h"
 
 #include <CGAL/Context_completion_3.h>
 #include <CGAL/Context_completion_3/internal/Property_transfer.h>
@@ -64,6 +65,7 @@ std::unique_ptr<Completion> make_completion(const Options& options, const Point_
   };
   const auto np = combine(parameters::regions(std::cref(boxes)),
                           parameters::excluded_regions(std::cref(excluded_boxes)),
+                          parameters::user_holes(std::cref(options.user_holes)),
                           parameters::example_point_sets(std::cref(examples)),
                           parameters::minimum_hole_diameter(options.minimum_diameter),
                           parameters::maximum_hole_diameter(
@@ -88,11 +90,23 @@ void throw_if_cancelled(const Completion& completion)
     throw Failure("interrupted; nothing was written");
 }
 
-std::unique_ptr<Completion> detect(const Options& options, const Point_set& points,
+// Parallel to the holes. Without faces none is covered.
+std::vector<char> covered_holes(const Completion& completion, const Point_file& file)
+{
+  std::vector<char> result(completion.holes().size(), 0);
+  if(file.faces.empty())
+    return result;
+  const std::vector<char> is_at_border = points_at_border(file.faces, file.points.size());
+  for(const Hole& hole : completion.holes())
+    result[hole.id] = is_covered(hole.loops, is_at_border);
+  return result;
+}
+
+std::unique_ptr<Completion> detect(const Options& options, const Point_file& file,
                                    const std::vector<Point_set>& examples, Progress_bar& bar)
 {
   bar.start("finding holes");
-  std::unique_ptr<Completion> completion = make_completion(options, points, examples);
+  std::unique_ptr<Completion> completion = make_completion(options, file.points, examples);
   completion->detect_holes(parameters::callback(bar.callback()));
   throw_if_cancelled(*completion);
   const std::size_t number = completion->holes().size();
@@ -103,30 +117,37 @@ std::unique_ptr<Completion> detect(const Options& options, const Point_set& poin
                                        : "they are numbered 0 to " + std::to_string(number - 1)));
   if(!options.holes.empty())
     completion->choose(options.holes);
+  else
+  {
+    const std::vector<char> covered = covered_holes(*completion, file);
+    completion->choose([&](const Hole& hole) { return hole.is_to_be_filled() && !covered[hole.id]; });
+  }
   return completion;
 }
 
-Completion_result result_of(const Completion& completion)
+Completion_result result_of(const Completion& completion, const Point_file& file)
 {
   Completion_result result;
   result.spacing = completion.spacing();
   result.holes = completion.holes();
+  result.is_covered = covered_holes(completion, file);
   result.reports = completion.report();
   return result;
 }
 
 } // namespace
 
-Completion_result find_holes(const Options& options, const Point_set& points, const std::vector<Point_set>& examples,
+Completion_result find_holes(const Options& options, const Point_file& file, const std::vector<Point_set>& examples,
                              Progress_bar& bar)
 {
-  return result_of(*detect(options, points, examples, bar));
+  return result_of(*detect(options, file, examples, bar), file);
 }
 
-Completion_result fill_holes(const Options& options, Point_set& points, const std::vector<Point_set>& examples,
+Completion_result fill_holes(const Options& options, Point_file& file, const std::vector<Point_set>& examples,
                              const History_names& names, Progress_bar& bar)
 {
-  const std::unique_ptr<Completion> completion = detect(options, points, examples, bar);
+  Point_set& points = file.points;
+  const std::unique_ptr<Completion> completion = detect(options, file, examples, bar);
   std::vector<Completion::New_point> new_points;
   Stage_visitor visitor(bar);
   completion->complete(std::back_inserter(new_points),
@@ -142,7 +163,7 @@ Completion_result fill_holes(const Options& options, Point_set& points, const st
   CGAL::Context_completions_3::internal::Property_transfer<Point, Vector> transfer(points);
   transfer.read_examples(new_points, np);
   transfer.append(new_points, np);
-  return result_of(*completion);
+  return result_of(*completion, file);
 }
 
 } // namespace Completion_program

@@ -32,6 +32,7 @@ struct Completion_result
 {
   double spacing = 0;
   std::vector<Hole> holes;
+  std::vector<char> is_covered;       ///< parallel to holes: faces of the file cover it
   std::vector<Hole_report> reports;   ///< empty if nothing was to be filled
 };
 
@@ -42,14 +43,14 @@ struct History_names
 };
 
 /// Finds the holes. \throw Usage_error, Failure if interrupted, Context_completions_3::Invalid_input
-Completion_result find_holes(const Options& options, const Point_set& points, const std::vector<Point_set>& examples,
+Completion_result find_holes(const Options& options, const Point_file& file, const std::vector<Point_set>& examples,
                              Progress_bar& bar);
 
 /*!
   Finds the holes, fills them and appends the new points, with the properties of their sources and the given ones.
   If it throws, the points are as they were. \throw as `find_holes()`
 */
-Completion_result fill_holes(const Options& options, Point_set& points, const std::vector<Point_set>& examples,
+Completion_result fill_holes(const Options& options, Point_file& file, const std::vector<Point_set>& examples,
                              const History_names& names, Progress_bar& bar);
 
 } // namespace Completion_program

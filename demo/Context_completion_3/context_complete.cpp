@@ -14,6 +14,7 @@
 #include "command_line.h"
 #include "completion_run.h"
 #include "failure.h"
+#include "mesh_faces.h"
 #include "normal_estimation.h"
 #include "output_file.h"
 #include "point_set_io.h"
@@ -29,6 +30,8 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -57,6 +60,8 @@ void read(const std::string& name, const Options& options, Progress_bar& bar, Po
 {
   bar.start("reading " + name);
   read_point_file(name, file);
+  if(!options.use_faces)
+    file.faces.clear();
   if(file.points.empty())
     throw Failure(name + ": there are no points in it");
   if(options.estimate_normals > 0)
@@ -65,6 +70,11 @@ void read(const std::string& name, const Options& options, Progress_bar& bar, Po
     const std::size_t number = estimate_normals(file, options.estimate_normals, bar.callback());
     if(number > 0)
       file.notes.push_back("the side of the normal is a guess at " + plural(number, "point"));
+  }
+  else if(!file.points.has_normal_map() && !file.faces.empty())
+  {
+    compute_normals(file);
+    file.notes.push_back("there are no normals; they are those of the faces");
   }
   else if(!file.points.has_normal_map())
     throw Failure(name + ": the points have no normals; --estimate-normals 18 makes them from the 18 nearest points");
@@ -81,7 +91,7 @@ void print_notes(const Point_file& file, const Options& options, Progress_bar& b
 void list(const Options& options, const Point_file& file, const std::vector<Point_set>& examples, Progress_bar& bar)
 {
   print_notes(file, options, bar);
-  const Completion_result result = find_holes(options, file.points, examples, bar);
+  const Completion_result result = find_holes(options, file, examples, bar);
   bar.clear();
   if(options.is_json)
     std::cout << list_to_json(file.name, result, file.points.size()).dump(2) << '\n';
@@ -121,7 +131,7 @@ void complete(const Options& options, Point_file& file, const std::vector<Point_
                                 free_name(file.points, "source_set", file.notes) };
   print_notes(file, options, bar);
 
-  const Completion_result result = fill_holes(options, file.points, examples, names, bar);
+  const Completion_result result = fill_holes(options, file, examples, names, bar);
   if(examples.empty()) // all sources are in the input
   {
     auto source_set_map = file.points.add_property_map<int>(names.source_set).first;
@@ -191,9 +201,21 @@ void run(const Options& options)
   }
   catch(const CGAL::Context_completions_3::Invalid_input& error)
   {
-    const std::string reason = error.what();
+    std::string name = options.input, reason = error.what();
+    // "Example point set 2: ..." is the second file of --examples
+    const std::string example = "Example point set ";
+    const std::size_t colon = reason.find(": ");
+    if(reason.compare(0, example.size(), example) == 0 && colon != std::string::npos)
+    {
+      const std::size_t number = std::strtoul(reason.c_str() + example.size(), nullptr, 10);
+      if(number >= 1 && number <= options.examples.size())
+      {
+        name = options.examples[number - 1];
+        reason = reason.substr(colon + 2);
+      }
+    }
     const bool is_about_normals = reason.find("normals can be estimated") != std::string::npos;
-    throw Failure(options.input + ": " + reason + (is_about_normals ? " Here: --estimate-normals 18." : ""));
+    throw Failure(name + ": " + reason + (is_about_normals ? " Here: --estimate-normals 18." : ""));
   }
 }
 

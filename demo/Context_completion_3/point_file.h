@@ -15,6 +15,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct Point_file
   std::string comments;             ///< PLY only
   Las_frame las;                    ///< LAS only
   std::vector<std::string> notes;   ///< what of the file is not kept
+  std::vector<std::vector<std::size_t> > faces;   ///< of a mesh, as indices of points; empty: points alone
   Point_set points;
 };
 

@@ -17,6 +17,8 @@
 #include "ply_header.h"
 #include "point_file.h"
 
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/io.h>
 #include <CGAL/Point_set_3/IO/OFF.h>
 #include <CGAL/Point_set_3/IO/PLY.h>
@@ -33,6 +35,7 @@
 #include <sstream>
 #include <streambuf>
 #include <string>
+#include <vector>
 
 namespace Completion_program {
 
@@ -140,6 +143,25 @@ inline void check_number(const Point_file& file, long long promised)
                   + std::to_string(file.points.size()));
 }
 
+// The faces of a file whose points have been read. What cannot be read as faces is no reason to refuse the points.
+template <typename Reader>
+void read_faces(std::istream& stream, Point_file& file, const Reader& reader)
+{
+  stream.clear();
+  stream.seekg(0);
+  std::vector<Point> points;
+  const Captured_errors errors;
+  bool is_read = reader(stream, points, file.faces) && points.size() == file.points.size();
+  for(const std::vector<std::size_t>& face : file.faces)
+    for(std::size_t v : face)
+      is_read = is_read && v < points.size();
+  if(!is_read)
+  {
+    file.faces.clear();
+    file.notes.push_back("the faces cannot be read and are not used");
+  }
+}
+
 inline void read_ply(std::istream& stream, std::uint64_t size, Point_file& file)
 {
   const Ply_header header = read_ply_header(stream, size);
@@ -151,7 +173,11 @@ inline void read_ply(std::istream& stream, std::uint64_t size, Point_file& file)
                                     + std::to_string(file.points.size())));
   check_number(file, static_cast<long long>(header.number_of_vertices));
   if(header.has_faces)
+  {
     file.notes.push_back("the faces are not kept");
+    read_faces(stream, file, [](std::istream& s, std::vector<Point>& points, std::vector<std::vector<std::size_t> >& faces)
+      { return CGAL::IO::read_PLY(s, points, faces); });
+  }
   for(const Ply_header::Property& property : header.vertex_properties)
     if(property.is_list)
       file.notes.push_back("the list property " + property.name + " is not kept");
@@ -184,6 +210,8 @@ inline void read_off(std::istream& stream, std::uint64_t size, Point_file& file)
     throw Failure(errors.first_line("it is truncated or damaged"));
   check_number(file, promised);
   file.notes.push_back("only the points and normals are kept");
+  read_faces(stream, file, [](std::istream& s, std::vector<Point>& points, std::vector<std::vector<std::size_t> >& faces)
+    { return CGAL::IO::read_OFF(s, points, faces); });
 }
 
 } // namespace internal

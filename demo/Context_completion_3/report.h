@@ -99,13 +99,25 @@ inline std::string plural(std::size_t number, const std::string& word)
   return std::to_string(number) + " " + word + (number == 1 ? "" : "s");
 }
 
+inline bool is_to_be_filled(const Completion_result& result, const Hole& hole)
+{
+  return hole.is_to_be_filled() && !result.is_covered[hole.id];
+}
+
+inline std::string state_of(const Completion_result& result, const Hole& hole)
+{
+  typedef CGAL::Context_completions_3::Hole_state State;
+  const bool is_open = hole.state == State::hole || hole.state == State::outer_border;
+  return is_open && result.is_covered[hole.id] ? "covered by faces" : name_of(hole.state);
+}
+
 // "2 outer border, 1 too small", of what was found and is not to be filled
-inline std::string describe_others(const std::vector<Hole>& holes)
+inline std::string describe_others(const Completion_result& result)
 {
   std::map<std::string, std::size_t> number;
-  for(const Hole& hole : holes)
-    if(hole.state != CGAL::Context_completions_3::Hole_state::hole)
-      ++number[name_of(hole.state)];
+  for(const Hole& hole : result.holes)
+    if(!is_to_be_filled(result, hole))
+      ++number[state_of(result, hole)];
   std::string text;
   for(const auto& entry : number)
     text += (text.empty() ? "" : ", ") + std::to_string(entry.second) + " " + entry.first;
@@ -119,12 +131,12 @@ inline void print_holes(std::ostream& stream, const Completion_result& result, s
   std::size_t number = 0;
   for(const Hole& hole : result.holes)
   {
-    number += hole.is_to_be_filled() ? 1 : 0;
+    number += is_to_be_filled(result, hole) ? 1 : 0;
     table.add_row({ std::to_string(hole.id),
                     short_number(hole.center.x()) + "," + short_number(hole.center.y()) + ","
                       + short_number(hole.center.z()),
                     short_number(hole.diameter), short_number(hole.spacing), std::to_string(hole.loops.size()),
-                    name_of(hole.state) });
+                    state_of(result, hole) });
   }
   stream << plural(number_of_points, "point") << ", spacing " << short_number(result.spacing) << ": "
          << (number == 0 ? std::string("no hole") : plural(number, "hole")) << '\n';
@@ -146,7 +158,7 @@ inline Json list_to_json(const std::string& input, const Completion_result& resu
     Json cells = Json::array();
     for(const CGAL::Bbox_3& cell : hole.cells)
       cells.push_back(to_json(cell));
-    list.push_back({ { "id", hole.id }, { "state", name_of(hole.state) },
+    list.push_back({ { "id", hole.id }, { "state", state_of(result, hole) },
                      { "center", { hole.center.x(), hole.center.y(), hole.center.z() } },
                      { "diameter", hole.diameter }, { "spacing", hole.spacing },
                      { "loops", hole.loops }, { "cells", cells } });
@@ -161,7 +173,7 @@ inline void print_reports(std::ostream& stream, const Completion_result& result,
 {
   Table table({ "hole", "diameter", "rims", "filling", "points", "expected error", "match", "level", "why" });
   for(const Hole_report& report : result.reports)
-    if(report.state == CGAL::Context_completions_3::Hole_state::hole
+    if(is_to_be_filled(result, result.holes[report.hole])
        || report.filling != CGAL::Context_completions_3::Filling::none)
     {
       const bool is_filled = report.filling != CGAL::Context_completions_3::Filling::none;
@@ -175,7 +187,7 @@ inline void print_reports(std::ostream& stream, const Completion_result& result,
     stream << "There is no hole to fill; nothing was added.\n";
   else
     table.print(stream);
-  const std::string others = describe_others(result.holes);
+  const std::string others = describe_others(result);
   if(!others.empty())
     stream << "Not filled: " << others << ".\n";
   stream << plural(number_of_new_points, "point") << " added in " << short_number(seconds) << " s.\n";
@@ -189,7 +201,7 @@ inline Json reports_to_json(const std::string& input, const std::string& output,
   for(const Hole_report& report : result.reports)
   {
     const Point& center = result.holes[report.hole].center;
-    list.push_back({ { "id", report.hole }, { "state", name_of(report.state) },
+    list.push_back({ { "id", report.hole }, { "state", state_of(result, result.holes[report.hole]) },
                      { "center", { center.x(), center.y(), center.z() } }, { "diameter", report.diameter },
                      { "filling", name_of(report.filling) }, { "reason", report.reason },
                      { "expected_error", report.expected_error }, { "match", report.match },

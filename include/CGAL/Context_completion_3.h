@@ -206,7 +206,8 @@ public:
   /*!
     \brief chooses holes by their indices, or by a predicate.
 
-    Whoever names a hole gets it filled, whatever its state.
+    Whoever names a hole gets it filled, whatever its state; only an outer border that no surface closes stays open, and
+    its report says so.
 
     \tparam IndicesOrPredicate a model of `ConstRange` with an integer value type, or a unary function from `Hole`
                                to `bool`
@@ -280,6 +281,8 @@ public:
   {
     namespace internal = Context_completions_3::internal;
     CGAL_precondition_msg(is_detected(), "the holes must be detected before they are filled");
+    if(!is_detected())
+      return new_points;
     m_is_cancelled = !internal::with_visitor(np, [&](auto& visitor)
       { return m_session->complete(m_chosen, internal::read_callback(np), visitor); });
     describe_outcomes();

@@ -22,8 +22,8 @@ namespace {
 
 typedef Completion_loop<Paper_policy> Loop;
 
-// a tilted plane of 80 x 80 points, less a square
-Surface_points plane_with_hole(double lower, double upper)
+// a plane of 80 x 80 points, tilted by default, less a square
+Surface_points plane_with_hole(double lower, double upper, double slope = 0.3)
 {
   Surface_points points;
   for(int i = 0; i < 80; ++i)
@@ -31,7 +31,7 @@ Surface_points plane_with_hole(double lower, double upper)
     {
       const double x = (i + 0.5) / 80, y = (j + 0.5) / 80;
       if(!(x > lower && x < upper && y > lower && y < upper))
-        points.push_back(Vector(x, y, 0.3 * x), Vector(-0.3, 0, 1).normalized());
+        points.push_back(Vector(x, y, slope * x), Vector(-slope, 0, 1).normalized());
     }
   return points;
 }
@@ -103,6 +103,63 @@ TEST(Paper_policy, hole_in_a_plane_is_detected_and_closed)
   for(const Hole_outcome& outcome : policy.outcomes())
     counted += outcome.added;
   EXPECT_EQ(counted, policy.added().size());
+}
+
+// Such a plane lies in the middle of its bounding cube, where planes between cells would be.
+TEST(Paper_policy, a_plane_along_the_axes_is_not_doubled)
+{
+  std::size_t added[2];
+  for(int tilted = 0; tilted < 2; ++tilted)
+  {
+    const Surface_points points = plane_with_hole(0.375, 0.625, tilted ? 0.01 : 0.);
+    Paper_policy policy(points, Engine_parameters(), 1. / 80);
+    policy.choose(all_holes(policy));
+    Loop(policy, Loop::Callback()).run();
+    added[tilted] = policy.added().size();
+  }
+  EXPECT_GT(added[0], 200u);
+  EXPECT_LT(double(added[0]), 1.2 * double(added[1]));
+}
+
+TEST(Paper_policy, a_hole_in_a_sphere_is_closed)
+{
+  const std::size_t number = 8000;
+  const double h = std::sqrt(4 * 3.14159265358979 / double(number)), radius = 0.35;
+  const Vector middle = Vector(0.3, 0.5, 0.8).normalized();
+  Surface_points points;
+  std::vector<Vector> missing;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const double z = 1 - 2 * (double(i) + 0.5) / double(number), angle = 2.399963229728653 * double(i);
+    const Vector p(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
+    if((p - middle).norm() > radius)
+      points.push_back(p, p);
+    else
+      missing.push_back(p);
+  }
+  Paper_policy policy(points, Engine_parameters(), h);
+  policy.choose(all_holes(policy));
+  ASSERT_TRUE(Loop(policy, Loop::Callback()).run());
+  std::vector<Vector> all = points.position;
+  double sum = 0, outwards = 0;
+  std::size_t inside = 0;
+  for(const Added_point& point : policy.added())
+  {
+    all.push_back(point.position);
+    if((point.position - middle).norm() > radius)
+      continue;
+    ++inside;
+    sum += std::abs(point.position.norm() - 1);
+    outwards += point.normal.dot(point.position.normalized());
+  }
+  ASSERT_GT(inside, missing.size() / 2);
+  EXPECT_LT(sum / double(inside), h);
+  EXPECT_GT(outwards / double(inside), 0.95);
+  const Neighbor_search search(all);
+  std::size_t covered = 0;
+  for(const Vector& p : missing)
+    covered += search.nearest(p).second < 2 * h ? 1 : 0;
+  EXPECT_GT(double(covered), 0.9 * double(missing.size()));
 }
 
 TEST(Paper_policy, is_deterministic)

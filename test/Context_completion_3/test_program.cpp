@@ -17,6 +17,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -172,6 +173,97 @@ std::vector<std::vector<double> > read_lines(const std::string& text)
   }
   return lines;
 }
+
+/// A sphere as a mesh: the grid of a cube, pushed outwards. The middle of its top has no points; one face may cover it.
+struct Sphere_mesh
+{
+  explicit Sphere_mesh(bool is_covered)
+  {
+    const int n = 20, first = 6, last = 14; // the grid of a side of the cube, and what is missing of the top
+    const auto is_missing = [&](int i, int j) { return i > first && i < last && j > first && j < last; };
+    std::map<std::array<int, 3>, std::size_t> index;
+    const auto vertex = [&](const std::array<int, 3>& c)
+    {
+      const auto found = index.emplace(c, rows.size());
+      if(found.second)
+      {
+        double p[3], length = 0;
+        for(int d = 0; d < 3; ++d)
+        {
+          p[d] = std::tan(0.785398 * (2. * c[d] / n - 1)); // even angles
+          length += p[d] * p[d];
+        }
+        Row row;
+        for(int d = 0; d < 3; ++d)
+          row.value[d] = row.value[d + 3] = p[d] / std::sqrt(length);
+        rows.push_back(row);
+      }
+      return found.first->second;
+    };
+    for(int d = 0; d < 3; ++d)
+      for(int side : { 0, n })
+        for(int i = 0; i < n; ++i)
+          for(int j = 0; j < n; ++j)
+          {
+            if(d == 2 && side == n && i >= first && i < last && j >= first && j < last)
+              continue;
+            std::vector<std::size_t> face;
+            for(const auto& corner : { std::array<int, 2>{ i, j }, { i + 1, j }, { i + 1, j + 1 }, { i, j + 1 } })
+            {
+              std::array<int, 3> c;
+              c[d] = side;
+              c[(d + 1) % 3] = corner[0];
+              c[(d + 2) % 3] = corner[1];
+              EXPECT_FALSE(d == 2 && side == n && is_missing(corner[0], corner[1]));
+              face.push_back(vertex(c));
+            }
+            if(side == 0)
+              std::reverse(face.begin(), face.end());
+            faces.push_back(face);
+          }
+    if(!is_covered)
+      return;
+    std::vector<std::size_t> lid;
+    for(int i = first; i < last; ++i)
+      lid.push_back(vertex({ i, first, n }));
+    for(int j = first; j < last; ++j)
+      lid.push_back(vertex({ last, j, n }));
+    for(int i = last; i > first; --i)
+      lid.push_back(vertex({ i, last, n }));
+    for(int j = last; j > first; --j)
+      lid.push_back(vertex({ first, j, n }));
+    faces.push_back(lid);
+  }
+
+  std::string face_lines() const
+  {
+    std::string text;
+    for(const std::vector<std::size_t>& face : faces)
+    {
+      text += std::to_string(face.size());
+      for(std::size_t v : face)
+        text += " " + std::to_string(v);
+      text += "\n";
+    }
+    return text;
+  }
+
+  std::string off() const
+  {
+    return "OFF\n" + std::to_string(rows.size()) + " " + std::to_string(faces.size()) + " 0\n" + xyz_of(rows, 3) + face_lines();
+  }
+
+  std::string ply() const
+  {
+    std::string text = ply_of(rows);
+    const std::string end = "end_header\n";
+    text.insert(text.find(end), "element face " + std::to_string(faces.size()) + "\nproperty list uchar int vertex_indices\n");
+    return text + face_lines();
+  }
+
+  std::vector<Row> rows;
+  std::vector<std::vector<std::size_t> > faces;
+};
 
 class Program : public testing::Test
 {
@@ -423,6 +515,98 @@ TEST_F(Program, Estimates_normals)
     ASSERT_GT(result["nx"][i] * rows[i].value[0] + result["ny"][i] * rows[i].value[1] + result["nz"][i] * rows[i].value[2],
               0.9);
   }
+}
+
+TEST_F(Program, Faces_of_a_mesh_give_normals)
+{
+  const Sphere_mesh mesh(false);
+  const std::string input = write("in.off", mesh.off());
+  ASSERT_EQ(run(input + " " + path("out.ply")), 0) << err;
+  auto result = read_ply(path("out.ply"));
+  ASSERT_GT(result["x"].size(), mesh.rows.size()) << "the hole at the border of the faces is one";
+  for(std::size_t i = 0; i < result["x"].size(); ++i)
+  {
+    ASSERT_GT(result["nx"][i] * result["x"][i] + result["ny"][i] * result["y"][i] + result["nz"][i] * result["z"][i], 0.9);
+  }
+  expect_refusal(input, "--estimate-normals", "--ignore-faces");
+}
+
+TEST_F(Program, What_the_faces_of_a_mesh_cover_is_no_hole)
+{
+  const Sphere_mesh mesh(true);
+  for(const std::string& input : { write("in.off", mesh.off()), write("in.ply", mesh.ply()) })
+  {
+    ASSERT_EQ(run(input + " " + path("out.ply")), 0) << err;
+    EXPECT_EQ(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
+    EXPECT_NE(out.find("1 covered by faces"), std::string::npos) << out;
+    ASSERT_EQ(run(input + " --list --json"), 0) << err;
+    const nlohmann::json list = nlohmann::json::parse(out);
+    ASSERT_EQ(list.at("holes").size(), 1u);
+    EXPECT_EQ(list.at("holes").at(0).at("state"), "covered by faces");
+    ASSERT_EQ(run(input + " " + path("out.ply") + " --holes 0"), 0) << err;
+    EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size()) << "whoever names a hole gets it filled";
+  }
+  ASSERT_EQ(run(path("in.ply") + " " + path("out.ply") + " --ignore-faces"), 0) << err;
+  EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
+  // faces that make no sense are no reason to refuse the points
+  std::string damaged = mesh.ply();
+  damaged.erase(damaged.rfind('\n', damaged.size() - 2) + 1);
+  damaged += "3 0 1 999999\n";
+  ASSERT_EQ(run(write("damaged.ply", damaged) + " " + path("out.ply")), 0) << err;
+  EXPECT_NE(err.find("the faces cannot be read"), std::string::npos) << err;
+  EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
+}
+
+// The vertices of the bunny alone have two holes: triangles of its underside are forty spacings wide.
+TEST_F(Program, Complete_meshes_come_back_with_nothing_added)
+{
+  const char* data = std::getenv("CGAL_DATA_DIR");
+  ASSERT_NE(data, nullptr) << "CGAL_DATA_DIR must name CGAL's data folder";
+  for(const std::string model : { "bunny00", "femur", "armadillo" })
+  {
+    const std::string input = std::string(data) + "/meshes/" + model + ".off";
+    ASSERT_EQ(run(input + " " + path("out.xyz")), 0) << err;
+    EXPECT_NE(out.find("nothing was added"), std::string::npos) << model << ": " << out;
+    std::istringstream header(read_file(input));
+    std::string word;
+    std::size_t number = 0;
+    header >> word >> number;
+    EXPECT_EQ(read_lines(read_file(path("out.xyz"))).size(), number) << model;
+  }
+}
+
+TEST_F(Program, A_named_outer_border_stays_open)
+{
+  std::vector<Row> rows;
+  for(int i = 0; i < 40; ++i)
+    for(int j = 0; j < 40; ++j)
+    {
+      Row row;
+      row.value = { double(i), double(j), 0, 0, 0, 1 };
+      rows.push_back(row);
+    }
+  const std::string input = write("in.ply", ply_of(rows));
+  ASSERT_EQ(run(input + " --list --json"), 0) << err;
+  const nlohmann::json list = nlohmann::json::parse(out);
+  ASSERT_EQ(list.at("holes").size(), 1u);
+  EXPECT_EQ(list.at("holes").at(0).at("state"), "outer border");
+  ASSERT_EQ(run(input + " " + path("out.ply") + " --holes 0 --report " + path("report.json")), 0) << err;
+  EXPECT_EQ(read_ply(path("out.ply"))["x"].size(), rows.size());
+  const nlohmann::json report = nlohmann::json::parse(read_file(path("report.json")));
+  EXPECT_NE(report.at("holes").at(0).at("reason").get<std::string>().find("opens outwards"), std::string::npos);
+}
+
+TEST_F(Program, Bad_examples_are_named)
+{
+  const std::string input = write("in.ply", ply_of(sphere(0.93)));
+  const std::string missing = path("missing.ply"), few = write("few.ply", ply_of(std::vector<Row>(5))),
+                    good = write("good.ply", ply_of(sphere(2)));
+  EXPECT_EQ(run(input + " " + path("out.ply") + " --examples " + missing), 1);
+  EXPECT_NE(err.find(missing), std::string::npos) << err;
+  EXPECT_EQ(run(input + " " + path("out.ply") + " --examples " + good + " --examples " + few), 1);
+  EXPECT_NE(err.find(few + ": "), std::string::npos) << err;
+  EXPECT_EQ(err.find(input), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(path("out.ply")));
 }
 
 TEST_F(Program, Takes_all_settings)

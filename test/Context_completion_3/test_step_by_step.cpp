@@ -254,6 +254,130 @@ TEST(Step_by_step, Cancelling_can_be_resumed)
   EXPECT_TRUE(is_same(added, expected));
 }
 
+// By the paper's policy no hole is done before all are, and a later call goes on from the cells that were filled.
+TEST(Step_by_step, Cancelling_the_paper_policy_can_be_resumed)
+{
+  const Point_set points = samples::point_set(samples::without_ball(samples::plane(80), samples::Point(41, 36, 0), 12.));
+  Completion whole(points, parameters::use_paper_policies(true));
+  whole.detect_holes();
+  std::size_t number_of_calls = 0;
+  const std::function<bool(double)> counting = [&](double) { ++number_of_calls; return true; };
+  New_points all;
+  whole.complete(std::back_inserter(all), parameters::callback(counting));
+  const std::size_t expected = all.size();
+  ASSERT_GT(expected, 0u);
+  ASSERT_GT(number_of_calls, 5u);
+  for(std::size_t allowed : { std::size_t(0), number_of_calls / 3, 2 * number_of_calls / 3, number_of_calls - 1 })
+  {
+    Completion completion(points, parameters::use_paper_policies(true));
+    completion.detect_holes();
+    std::size_t calls = 0;
+    const std::function<bool(double)> callback = [&](double) { return calls++ < allowed; };
+    New_points added;
+    completion.complete(std::back_inserter(added), parameters::callback(callback));
+    ASSERT_TRUE(completion.is_cancelled());
+    EXPECT_TRUE(added.empty());
+    completion.complete(std::back_inserter(added));
+    EXPECT_FALSE(completion.is_cancelled());
+    EXPECT_NEAR(double(added.size()), double(expected), 0.05 * double(expected));
+    std::size_t reported = 0;
+    for(const Completion::Hole_report& report : completion.report())
+      reported += report.number_of_points;
+    EXPECT_EQ(reported, added.size());
+    completion.complete(std::back_inserter(added));
+    EXPECT_EQ(reported, added.size()) << "points are written once";
+  }
+}
+
+TEST(Step_by_step, Named_borders_stay_open_and_named_holes_are_filled_whatever_their_state)
+{
+  const Point_set points = samples::point_set(samples::plane_with_two_holes());
+  Completion completion(points, parameters::minimum_hole_diameter(10.5));
+  completion.detect_holes();
+  std::vector<std::size_t> borders, small;
+  for(const Completion::Hole& hole : completion.holes())
+    if(hole.state == Hole_state::outer_border)
+      borders.push_back(hole.id);
+    else if(hole.state == Hole_state::too_small)
+      small.push_back(hole.id);
+  ASSERT_FALSE(borders.empty());
+  ASSERT_EQ(small.size(), 1u);
+  completion.choose(borders);
+  EXPECT_TRUE(complete(completion).empty());
+  EXPECT_NE(completion.report()[borders[0]].reason.find("opens outwards"), std::string::npos);
+  completion.choose(small);
+  EXPECT_FALSE(complete(completion).empty());
+  EXPECT_GT(completion.report()[small[0]].number_of_points, 0u);
+}
+
+TEST(Step_by_step, What_the_user_bounds_is_filled_though_it_is_no_hole)
+{
+  // a sheet with a notch in its border
+  samples::Samples sheet;
+  for(const samples::Oriented_point& sample : samples::plane(40))
+    if(!(sample.first.x() > 30 && std::abs(sample.first.y() - 20) < 5))
+      sheet.push_back(sample);
+  const Point_set points = samples::point_set(sheet);
+  Completion plain(points);
+  plain.detect_holes();
+  EXPECT_TRUE(plain.chosen().empty());
+
+  const std::vector<CGAL::Bbox_3> notch(1, CGAL::Bbox_3(27, 13, -3, 38, 27, 3));
+  Completion completion(points, parameters::user_holes(notch));
+  completion.detect_holes();
+  ASSERT_EQ(completion.chosen().size(), 1u);
+  const std::vector<Completion::New_point> added = complete(completion);
+  EXPECT_NEAR(double(added.size()), 8 * 10 / std::sqrt(0.75), 15.);
+  for(const Completion::New_point& p : added)
+  {
+    EXPECT_LT(std::abs(p.point.z()), 0.05);
+    EXPECT_GT(p.point.x(), 29.);
+    EXPECT_LT(p.point.x(), 39.);
+    EXPECT_LT(std::abs(p.point.y() - 20), 6.);
+  }
+}
+
+TEST(Step_by_step, A_hole_that_the_user_bounds_is_that_hole)
+{
+  const Point_set points = samples::point_set(samples::plane_with_two_holes());
+  Completion plain(points);
+  plain.detect_holes();
+  ASSERT_EQ(plain.chosen().size(), 2u);
+  const Completion::Hole hole = plain.holes()[plain.chosen()[0]];
+  const double x = hole.center.x(), y = hole.center.y(), r = hole.diameter;
+  const std::vector<CGAL::Bbox_3> box(1, CGAL::Bbox_3(x - r, y - r, -r, x + r, y + r, r));
+  Completion completion(points, combine(parameters::user_holes(box), parameters::minimum_hole_diameter(100)));
+  completion.detect_holes();
+  ASSERT_EQ(completion.chosen().size(), 1u);
+  EXPECT_EQ(completion.holes().size(), plain.holes().size());
+  EXPECT_EQ(completion.holes()[completion.chosen()[0]].loops, hole.loops);
+
+  const std::vector<CGAL::Bbox_3> nothing(1, CGAL::Bbox_3(-100, -100, -1, -90, -90, 1));
+  for(bool is_paper : { false, true })
+  {
+    Completion bad(points, combine(parameters::user_holes(nothing), parameters::use_paper_policies(is_paper)));
+    try
+    {
+      bad.detect_holes();
+      ADD_FAILURE() << "an empty box is taken";
+    }
+    catch(const Invalid_input& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("Box 0 of the parameter user_holes"), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(bad.is_detected());
+  }
+
+  // by the paper the cells in the box are one hole, whatever else they would be joined with
+  Completion paper(points, combine(parameters::user_holes(box), parameters::use_paper_policies(true),
+                                   parameters::minimum_hole_diameter(100)));
+  paper.detect_holes();
+  ASSERT_EQ(paper.chosen().size(), 1u);
+  for(const CGAL::Bbox_3& cell : paper.holes()[paper.chosen()[0]].cells)
+    EXPECT_TRUE(CGAL::do_overlap(cell, box[0]));
+  EXPECT_FALSE(complete(paper).empty());
+}
+
 TEST(Step_by_step, An_object_can_be_moved)
 {
   const Point_set points = samples::point_set(samples::plane_with_two_holes());

@@ -53,11 +53,22 @@ inline Cell_cube bounding_cube(const std::vector<Vector>& positions)
   return cube;
 }
 
+/// A little larger, and off the centre, so that what is flat or symmetric does not lie on the planes between cells:
+/// a box test of closed cells would find it on both sides. The fractions are not sums of few powers of two.
+inline Cell_cube offset_cube(const std::vector<Vector>& positions)
+{
+  Cell_cube cube = bounding_cube(positions);
+  const double side = cube.side;
+  cube.side *= 1.0371;
+  cube.lower -= side * Vector(0.0127, 0.0191, 0.0233);
+  return cube;
+}
+
 /// A cube around the bounding box whose side is `side` times a power of two, so that the cells of two trees can be
 /// compared ("cells with the same size", section 6). \param doublings receives the exponent
 inline Cell_cube commensurable_cube(const std::vector<Vector>& positions, double side, std::size_t& doublings)
 {
-  const Cell_cube tight = bounding_cube(positions);
+  const Cell_cube tight = offset_cube(positions);
   Cell_cube cube = tight;
   cube.side = side;
   for(doublings = 0; side > 0 && cube.side < tight.side; ++doublings)

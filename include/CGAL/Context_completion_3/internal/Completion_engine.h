@@ -86,6 +86,10 @@ public:
     return Completion_loop<Example_policy<ConcurrencyTag> >(policy, callback).run();
   }
 
+  /// Whether it makes no difference in which order holes are filled, and with which others. By the paper's policy a hole
+  /// changes the fits of the cells that another one sees, and the cells of all holes compete for the next turn.
+  bool are_holes_independent() const { return !m_parameters.paper; }
+
   const std::vector<Added_point>& added() const { return m_added; }
   const std::vector<Hole_outcome>& outcomes() const { return m_outcomes; }
 
@@ -93,7 +97,7 @@ private:
   bool detect_by_rims(const Callback& callback)
   {
     m_detected.clear();
-    if(!Hole_detection<ConcurrencyTag>(*m_model).run(m_detected, callback))
+    if(!Hole_detection<ConcurrencyTag>(*m_model, m_parameters.user_holes).run(m_detected, callback))
       return false;
     m_map = std::make_unique<Hole_map<ConcurrencyTag> >(m_points, spacing(), m_parameters.maximum_depth,
                                                         m_parameters.minimum_cell_points);
@@ -139,25 +143,18 @@ private:
     }
     const double smallest = m_parameters.minimum_hole_diameter > 0 ? m_parameters.minimum_hole_diameter
                                                                    : 4.5 * data.spacing;
-    if(hole.is_outer_border)
+    if(hole.is_named)
+      data.state = Hole_state::hole;
+    else if(hole.is_outer_border)
       data.state = Hole_state::outer_border;
     else if(data.diameter < smallest)
       data.state = Hole_state::too_small;
     else if(m_parameters.maximum_hole_diameter > 0 && data.diameter > m_parameters.maximum_hole_diameter)
       data.state = Hole_state::too_large;
-    else if((!m_parameters.regions.empty() && !is_inside(m_parameters.regions, data.center)) ||
-            is_inside(m_parameters.excluded_regions, data.center))
+    else if((!m_parameters.regions.empty() && !is_inside_any(data.center, m_parameters.regions)) ||
+            is_inside_any(data.center, m_parameters.excluded_regions))
       data.state = Hole_state::excluded;
     return data;
-  }
-
-  static bool is_inside(const std::vector<Bbox_3>& boxes, const Vector& p)
-  {
-    for(const Bbox_3& b : boxes)
-      if(p.x() >= b.xmin() && p.x() <= b.xmax() && p.y() >= b.ymin() && p.y() <= b.ymax() && p.z() >= b.zmin() &&
-         p.z() <= b.zmax())
-        return true;
-    return false;
   }
 
   void prepare_sources()

@@ -28,7 +28,8 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Runs the engine hole by hole, so that a visitor hears of each hole, and keeps account of what has been handed out.
+  Runs the engine hole by hole where holes are independent, so that a visitor hears of each as it is done and a later call
+  goes on behind the last one; otherwise all at once. Keeps account of what has been handed out.
   Neither copied nor moved: the engine may refer to the points.
 */
 template <typename ConcurrencyTag>
@@ -78,16 +79,22 @@ public:
 
     visitor.on_completion_begin(waiting.size());
     std::size_t number_of_new_points = 0;
-    for(std::size_t i = 0; i < waiting.size(); ++i)
+    const std::size_t step = m_engine.are_holes_independent() ? 1 : waiting.size();
+    for(std::size_t i = 0; i < waiting.size(); i += step)
     {
+      const std::vector<std::size_t> holes(waiting.begin() + std::ptrdiff_t(i),
+                                           waiting.begin() + std::ptrdiff_t(i + step));
       const auto part = [&](double fraction)
-        { return !callback || callback((double(i) + fraction) / double(waiting.size())); };
-      visitor.on_hole_begin(waiting[i]);
-      if(!complete(waiting[i], part))
+        { return !callback || callback((double(i) + fraction * double(step)) / double(waiting.size())); };
+      for(std::size_t hole : holes)
+        visitor.on_hole_begin(hole);
+      if(!complete(holes, part))
         return false;
-      const std::size_t added = outcomes()[waiting[i]].added;
-      number_of_new_points += added;
-      visitor.on_hole_end(waiting[i], added);
+      for(std::size_t hole : holes)
+      {
+        number_of_new_points += outcomes()[hole].added;
+        visitor.on_hole_end(hole, outcomes()[hole].added);
+      }
     }
     visitor.on_completion_end(number_of_new_points);
     return true;
@@ -105,21 +112,27 @@ public:
   }
 
 private:
-  bool complete(std::size_t hole, const Callback& callback)
+  bool complete(const std::vector<std::size_t>& holes, const Callback& callback)
   {
     // a callback that cancels or throws after the last point of the hole must not have it filled a second time
     const std::size_t number_before = m_engine.added().size();
+    const auto account = [&](bool is_done)
+    {
+      const bool has_points = m_engine.are_holes_independent() && m_engine.added().size() > number_before;
+      for(std::size_t hole : holes)
+        m_is_completed[hole] = is_done || has_points;
+    };
     bool is_done = false;
     try
     {
-      is_done = m_engine.complete({hole}, callback);
+      is_done = m_engine.complete(holes, callback);
     }
     catch(...)
     {
-      m_is_completed[hole] = m_engine.added().size() > number_before;
+      account(false);
       throw;
     }
-    m_is_completed[hole] = is_done || m_engine.added().size() > number_before;
+    account(is_done);
     return is_done;
   }
 

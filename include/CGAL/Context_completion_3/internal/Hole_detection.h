@@ -14,7 +14,9 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Message.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
@@ -22,6 +24,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +39,7 @@ struct Detected_hole
   std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where the rim opens outwards
   std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< another base, where that of `patch` bulges
   bool is_outer_border = false;
+  bool is_named = false;        ///< by the user
 };
 
 /*!
@@ -52,7 +56,10 @@ class Hole_detection
   typedef Rim_grouping<ConcurrencyTag> Grouping;
 
 public:
-  explicit Hole_detection(const Model& model) : m_model(model) {}
+  /// \param user_holes boxes, in each of which there is a hole
+  explicit Hole_detection(const Model& model, const std::vector<Bbox_3>& user_holes = std::vector<Bbox_3>())
+    : m_model(model), m_user_holes(user_holes)
+  {}
 
   /// \param progress called with the fraction done; `false` stops. \return whether it ran to its end
   bool run(std::vector<Hole>& holes, const std::function<bool(double)>& progress) const
@@ -101,6 +108,8 @@ public:
         holes.push_back(border);
       }
     }
+    for(std::size_t b = 0; b < m_user_holes.size(); ++b)
+      add_user_hole(b, loops, holes);
     return true;
   }
 
@@ -116,6 +125,66 @@ private:
     hole.patch = patch;
     holes.push_back(hole);
     return true;
+  }
+
+  // Paper, section 5: the user defines invalid cells. What was found in his box is meant; otherwise what is open there.
+  void add_user_hole(std::size_t b, const std::vector<Rim_loop>& loops, std::vector<Hole>& holes) const
+  {
+    const Bbox_3& box = m_user_holes[b];
+    bool is_found = false;
+    std::set<std::size_t> closed;
+    for(Hole& hole : holes)
+    {
+      if(hole.patch)
+        closed.insert(hole.patch->rim().begin(), hole.patch->rim().end());
+      if(!hole.patch || hole.is_named || !is_inside(middle(hole.loops), box))
+        continue;
+      hole.is_named = true;
+      is_found = true;
+    }
+    if(is_found)
+      return;
+    Hole hole;
+    std::size_t number = 0;
+    for(const Rim_loop& loop : loops)
+    {
+      Rim_loop part;
+      for(const Rim_point& p : loop.points)
+        if(is_inside(m_model.position(p.index), box) && closed.count(p.index) == 0)
+          part.points.push_back(p);
+      if(part.points.empty())
+        continue;
+      part.measure(m_model.points());
+      number += part.points.size();
+      hole.loops.push_back(part);
+    }
+    require(number >= 4, "Box ", b, " of the parameter user_holes holds ", number,
+            " rim points; at least 4 are needed to fill what is open there.");
+    std::stable_sort(hole.loops.begin(), hole.loops.end(), [](const Rim_loop& a, const Rim_loop& b)
+      { return a.diameter > b.diameter; });
+    const auto surroundings = std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, hole.loops);
+    for(bool is_stiff : { false, true })
+    {
+      hole.patch = std::make_shared<const Patch>(surroundings, is_stiff, box);
+      if(hole.patch->number_of_uncovered() > 0)
+        break;
+    }
+    require(hole.patch->number_of_uncovered() > 0, "Box ", b, " of the parameter user_holes holds nothing that is open.");
+    hole.is_named = true;
+    holes.push_back(hole);
+  }
+
+  Vector middle(const std::vector<Rim_loop>& loops) const
+  {
+    Vector sum = Vector::Zero();
+    std::size_t number = 0;
+    for(const Rim_loop& loop : loops)
+      for(const Rim_point& p : loop.points)
+      {
+        sum += m_model.position(p.index);
+        ++number;
+      }
+    return sum / double(number);
   }
 
   // A hole has room for some points between its rims, and these go around it: at least half of its circumference is
@@ -228,6 +297,7 @@ private:
   static std::size_t most_fragments() { return 4; }
 
   const Model& m_model;
+  std::vector<Bbox_3> m_user_holes;
 };
 
 } // namespace internal

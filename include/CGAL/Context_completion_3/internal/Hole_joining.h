@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Cell_surface.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 
@@ -74,21 +75,12 @@ inline double approximate_diameter(const std::vector<Vector>& points)
   return largest;
 }
 
-inline bool is_inside_any(const Vector& p, const std::vector<Bbox_3>& boxes)
-{
-  for(const Bbox_3& box : boxes)
-    if(p.x() >= box.xmin() && p.x() <= box.xmax() && p.y() >= box.ymin() && p.y() <= box.ymax()
-       && p.z() >= box.zmin() && p.z() <= box.zmax())
-      return true;
-  return false;
-}
-
 /*!
   Describes joined invalid cells as a hole. Cells know no order along a rim: the original points in them, or in the
   cells around them where they are empty, are given as one unordered rim. The diameter is that of the rim.
 */
 inline Hole_data describe_hole(const Cell_surface& surface, const std::vector<Cell>& cells, double spacing,
-                               const Engine_parameters& parameters)
+                               const Engine_parameters& parameters, bool is_named)
 {
   Hole_data hole;
   hole.spacing = spacing;
@@ -114,6 +106,8 @@ inline Hole_data describe_hole(const Cell_surface& surface, const std::vector<Ce
   for(std::size_t i : rim)
     positions.push_back(surface.surface().position[i]);
   hole.diameter = approximate_diameter(positions);
+  if(is_named) // by the user
+    return hole;
   if(hole.diameter < parameters.minimum_hole_diameter)
     hole.state = Hole_state::too_small;
   else if(parameters.maximum_hole_diameter > 0 && hole.diameter > parameters.maximum_hole_diameter)

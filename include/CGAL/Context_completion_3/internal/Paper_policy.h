@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Cell_candidates.h>
 #include <CGAL/Context_completion_3/internal/Cell_classification.h>
 #include <CGAL/Context_completion_3/internal/Cell_filling.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Hole_cells.h>
 #include <CGAL/Context_completion_3/internal/Hole_joining.h>
+#include <CGAL/Context_completion_3/internal/Message.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +74,7 @@ public:
     : m_parameters(parameters), m_spacing(spacing),
       m_candidates(paper_symmetry_group(parameters.mirror), maximum_evaluations)
   {
-    const Cell_cube cube = bounding_cube(points.position);
+    const Cell_cube cube = offset_cube(points.position);
     const double tolerance = parameters.tolerance > 0 ? parameters.tolerance : 0.5 * spacing;
     const std::size_t finest = choose_finest_level(points.position, cube);
     m_surface = std::make_shared<Cell_surface>(points, cube, finest, parameters.minimum_cell_points, tolerance);
@@ -252,9 +254,20 @@ private:
     std::vector<Cell> invalid;
     for(std::size_t level = 1; level <= finest_level(); ++level)
       invalid = m_classification->invalid_cells(level, invalid);
-    m_groups = joined_cells(invalid);
-    for(const std::vector<Cell>& group : m_groups)
-      m_holes.push_back(describe_hole(*m_surface, group, m_spacing, m_parameters));
+    // what the user names is one hole; the rest is joined
+    for(std::size_t b = 0; b < m_parameters.user_holes.size(); ++b)
+    {
+      const auto first = std::stable_partition(invalid.begin(), invalid.end(), [&](const Cell& cell)
+        { return !is_inside(m_surface->grid().center(cell), m_parameters.user_holes[b]); });
+      require(first != invalid.end(), "Box ", b, " of the parameter user_holes holds no under-sampled cell.");
+      m_groups.emplace_back(first, invalid.end());
+      invalid.erase(first, invalid.end());
+    }
+    const std::size_t number_of_named = m_groups.size();
+    const std::vector<std::vector<Cell> > others = joined_cells(invalid);
+    m_groups.insert(m_groups.end(), others.begin(), others.end());
+    for(std::size_t g = 0; g < m_groups.size(); ++g)
+      m_holes.push_back(describe_hole(*m_surface, m_groups[g], m_spacing, m_parameters, g < number_of_named));
     m_outcomes.resize(m_holes.size());
     for(Hole_outcome& outcome : m_outcomes)
       outcome.reason = "not chosen";

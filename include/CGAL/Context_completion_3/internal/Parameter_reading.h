@@ -97,7 +97,7 @@ Vector corner(const FT& x, const FT& y, const FT& z)
 
 /// A range of `Bbox_3` or `Iso_cuboid_3`, in the coordinates of the engine.
 template <typename Regions>
-std::vector<Bbox_3> read_regions(const Regions& regions, const char* name, const Frame& frame)
+std::vector<Bbox_3> read_regions(const Regions& regions, const char* name, const Frame& frame, bool may_be_empty = false)
 {
   std::vector<Bbox_3> boxes;
   if constexpr(is_given<Regions>())
@@ -111,7 +111,7 @@ std::vector<Bbox_3> read_regions(const Regions& regions, const char* name, const
               "; its lower corner must not lie above its upper corner.");
       boxes.push_back(frame.box_to_engine(Bbox_3(lower.x(), lower.y(), lower.z(), upper.x(), upper.y(), upper.z())));
     }
-    require(!boxes.empty(), "The parameter ", name, " is given but contains no box.");
+    require(may_be_empty || !boxes.empty(), "The parameter ", name, " is given but contains no box.");
   }
   return boxes;
 }
@@ -175,6 +175,8 @@ Engine_parameters read_parameters(const PointRange& points, const NamedParameter
   result.regions = read_regions(get_parameter_reference(np, own_np::regions), "regions", frame);
   result.excluded_regions =
     read_regions(get_parameter_reference(np, own_np::excluded_regions), "excluded_regions", frame);
+
+  result.user_holes = read_regions(get_parameter_reference(np, own_np::user_holes), "user_holes", frame, true);
 
   const auto& example_sets = get_parameter_reference(np, own_np::example_point_sets);
   if constexpr(is_given<decltype(example_sets)>())

@@ -55,6 +55,34 @@ struct Rim_loop
     }
     return points.empty() ? 0. : sum / double(points.size());
   }
+
+  /// Sets centre and diameter.
+  void measure(const Surface_points& surface)
+  {
+    center = Vector::Zero();
+    for(const Rim_point& p : points)
+      center += surface.position[p.index];
+    center /= double(points.size());
+    // the largest distance of two points; the extremes along 13 directions bound it from below within 4 %
+    std::vector<std::size_t> extreme;
+    for(int x = -1; x <= 1; ++x)
+      for(int y = -1; y <= 1; ++y)
+        for(int z = -1; z <= 1; ++z)
+        {
+          if(x == 0 && y == 0 && z == 0)
+            continue;
+          const Vector direction(x, y, z);
+          std::size_t best = points.front().index;
+          for(const Rim_point& p : points)
+            if(direction.dot(surface.position[p.index] - surface.position[best]) > 0)
+              best = p.index;
+          extreme.push_back(best);
+        }
+    diameter = 0;
+    for(std::size_t a : extreme)
+      for(std::size_t b : extreme)
+        diameter = (std::max)(diameter, (surface.position[a] - surface.position[b]).norm());
+  }
 };
 
 /*!
@@ -194,37 +222,11 @@ private:
         point.index = rim[m];
         point.outward = outward[rim[m]];
         loop.points.push_back(point);
-        loop.center += m_model.position(rim[m]);
       }
-      loop.center /= double(members.size());
-      loop.diameter = diameter(loop);
+      loop.measure(m_model.points());
       loops.push_back(loop);
     }
     return loops;
-  }
-
-  // Largest distance of two points; the extremes along 13 directions bound it from below within 4 %.
-  double diameter(const Rim_loop& loop) const
-  {
-    std::vector<std::size_t> extreme;
-    for(int x = -1; x <= 1; ++x)
-      for(int y = -1; y <= 1; ++y)
-        for(int z = -1; z <= 1; ++z)
-        {
-          if(x == 0 && y == 0 && z == 0)
-            continue;
-          const Vector direction(x, y, z);
-          std::size_t best = loop.points.front().index;
-          for(const Rim_point& p : loop.points)
-            if(direction.dot(m_model.position(p.index) - m_model.position(best)) > 0)
-              best = p.index;
-          extreme.push_back(best);
-        }
-    double largest = 0;
-    for(std::size_t a : extreme)
-      for(std::size_t b : extreme)
-        largest = (std::max)(largest, (m_model.position(a) - m_model.position(b)).norm());
-    return largest;
   }
 
   const Model& m_model;

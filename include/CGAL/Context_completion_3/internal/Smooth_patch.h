@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -53,8 +55,10 @@ public:
   typedef Rim_surroundings<ConcurrencyTag> Surroundings;
 
   /// \param is_stiff lets the base miss the surroundings a little, which keeps it from following relief at the rim off
-  explicit Smooth_patch(const std::shared_ptr<const Surroundings>& surroundings, bool is_stiff = false)
-    : m_surroundings(surroundings), m_model(surroundings->model()), m_spacing(surroundings->spacing())
+  /// \param domain where the base ends at the latest, which then closes it; none: nowhere
+  explicit Smooth_patch(const std::shared_ptr<const Surroundings>& surroundings, bool is_stiff = false,
+                        const std::optional<Bbox_3>& domain = std::nullopt)
+    : m_surroundings(surroundings), m_model(surroundings->model()), m_spacing(surroundings->spacing()), m_domain(domain)
   {
     if(centers().size() < 4)
       return;
@@ -158,7 +162,7 @@ private:
     const auto try_sample = [&](Vector x, const Vector& from, const Vector& from_normal) -> bool
     {
       Vector normal;
-      if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h)
+      if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h || !is_in_domain(x))
         return false;
       double nearest = 1.7 * h;
       bool is_free = true;
@@ -205,7 +209,7 @@ private:
       const double angle[] = {0, 1.0472, -1.0472, 2.0944, -2.0944, 3.1416};
       for(double t : angle)
         try_sample(sample.position + h * (std::cos(t) * u + std::sin(t) * v), sample.position, sample.normal);
-      if(m_samples.size() > most || (sample.position - loops().front().center).norm() > farthest)
+      if(!m_domain && (m_samples.size() > most || (sample.position - loops().front().center).norm() > farthest))
       {
         m_is_closed = false;
         return;
@@ -217,6 +221,13 @@ private:
         m_reached.push_back(m_footprint_index[k]);
     std::sort(m_reached.begin(), m_reached.end());
     m_reached.erase(std::unique(m_reached.begin(), m_reached.end()), m_reached.end());
+  }
+
+  // A domain may be without bounds.
+  bool is_in_domain(const Vector& x) const
+  {
+    return !m_domain ||
+           (is_inside(x, *m_domain) && (x - loops().front().center).norm() <= diameter() + 6 * m_spacing);
   }
 
   // Repulsion evens out the sampling that the front left, up to the rim.
@@ -248,7 +259,7 @@ private:
             repel(known.point(k), d);
           return true; });
         Vector x = p + 0.35 * push, normal;
-        if((x - p).norm() < h && project(x, normal) && (x - p).norm() < h)
+        if((x - p).norm() < h && project(x, normal) && (x - p).norm() < h && is_in_domain(x))
         {
           moved[i].position = x;
           moved[i].normal = normal;
@@ -261,6 +272,7 @@ private:
   std::shared_ptr<const Surroundings> m_surroundings;
   const Model& m_model;
   double m_spacing;
+  std::optional<Bbox_3> m_domain;
   std::unique_ptr<Polyharmonic_base> m_base;
   Eigen::VectorXd m_coefficients;
   std::vector<Vector> m_footprints, m_footprint_normals;
