@@ -73,6 +73,7 @@ public:
     }
     patch.residual = warp_to_closest_points(patch.points.position, patch.points.normal, neighbors, to, edge,
                                             m_parameters);
+    keep_near(to, edge, patch);
     return patch;
   }
 
@@ -105,6 +106,21 @@ public:
   }
 
 private:
+  // A quadratic map that few points determine can fling others away. What leaves the cell by more than half its edge
+  // fills another one, if any.
+  static void keep_near(const Vector& center, double edge, Cell_patch& patch)
+  {
+    Cell_patch kept;
+    kept.residual = patch.residual;
+    for(std::size_t i = 0; i < patch.points.size(); ++i)
+      if((patch.points.position[i] - center).lpNorm<Eigen::Infinity>() <= edge)
+      {
+        kept.points.push_back(patch.points.position[i], patch.points.normal[i]);
+        kept.sources.push_back(patch.sources[i]);
+      }
+    patch = kept;
+  }
+
   std::vector<Vector> spread(const std::vector<std::pair<double, std::size_t> >& found, double radius) const
   {
     std::vector<std::size_t> inside;
