@@ -173,6 +173,8 @@ public:
 
   void insert(const Target& target, const Match& match, const Patch& patch)
   {
+    if(patch.points.size() == 0) // nothing of the match ended up near the cell
+      return;
     m_hole_cells.set_filled(target.cell, target.hole);
     if(is_fine_enough(target.cell))
       accept(target, match, patch);
