@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+// True in texture or nearest in distance: the parameter `keep_texture`, on relief that does not repeat.
+
+#include "include/engine_samples.h"
+
+#include <CGAL/Context_completion_3/internal/Completion_engine.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Context_completions_3::internal;
+namespace samples = Test_surfaces;
+
+namespace {
+
+typedef Completion_engine<CGAL::Parallel_if_available_tag> Engine;
+
+// A random field: many plane waves of all directions and of nearly the same length. It has no period.
+class Random_relief
+{
+public:
+  explicit Random_relief(unsigned int seed) : m_random(seed) {}
+
+  void add(double root_mean_square, double wave_length, std::size_t number)
+  {
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      const double direction = samples::pi * m_random();
+      const double frequency = 2 * samples::pi / (wave_length * (1.025 + 0.225 * m_random()));
+      m_waves.push_back({ frequency * std::cos(direction), frequency * std::sin(direction), samples::pi * m_random(),
+                          root_mean_square * std::sqrt(2. / double(number)) });
+    }
+  }
+
+  double height(double x, double y) const
+  {
+    double sum = 0;
+    for(const Wave& w : m_waves)
+      sum += w.amplitude * std::cos(w.x * x + w.y * y + w.phase);
+    return sum;
+  }
+
+  std::pair<double, double> gradient(double x, double y) const
+  {
+    std::pair<double, double> sum(0., 0.);
+    for(const Wave& w : m_waves)
+    {
+      const double slope = -w.amplitude * std::sin(w.x * x + w.y * y + w.phase);
+      sum.first += w.x * slope;
+      sum.second += w.y * slope;
+    }
+    return sum;
+  }
+
+  double distance(const Vector& p) const
+  {
+    const std::pair<double, double> d = gradient(p.x(), p.y());
+    return std::abs(p.z() - height(p.x(), p.y())) / std::sqrt(1 + d.first * d.first + d.second * d.second);
+  }
+
+private:
+  struct Wave { double x, y, phase, amplitude; };
+
+  samples::Random_offsets m_random;
+  std::vector<Wave> m_waves;
+};
+
+const double hole_radius = 8, center = 24;
+
+double from_center(const Vector& p) { return std::hypot(p.x() - center, p.y() - center); }
+
+// Hills that no rim tells of, and on them a roughness of a few spacings. Most of the error is due to the hills, so that
+// the roughness is small against it.
+Random_relief rough_hills(unsigned int seed)
+{
+  Random_relief relief(seed);
+  relief.add(1.1, 14., 40);
+  relief.add(0.2, 4., 60);
+  return relief;
+}
+
+struct Completion
+{
+  std::vector<Added_point> added;
+  Hole_outcome outcome;
+};
+
+Completion completed(const Surface_points& points, bool keep_texture)
+{
+  Engine_parameters parameters;
+  parameters.keep_texture = keep_texture;
+  Engine engine(points, parameters);
+  EXPECT_TRUE(engine.detect(Engine::Callback()));
+  std::vector<std::size_t> chosen;
+  for(std::size_t h = 0; h < engine.holes().size(); ++h)
+    if(engine.holes()[h].state == Hole_state::hole)
+      chosen.push_back(h);
+  EXPECT_EQ(chosen.size(), 1u);
+  EXPECT_TRUE(engine.complete(chosen, Engine::Callback()));
+  Completion result;
+  result.added = engine.added();
+  if(!chosen.empty())
+    result.outcome = engine.outcomes()[chosen.front()];
+  return result;
+}
+
+// Root mean square residual of the points around each of `centers` to the quadric that fits them best.
+double roughness(const std::vector<Vector>& centers, const std::vector<Vector>& points)
+{
+  double sum = 0;
+  for(const Vector& c : centers)
+  {
+    std::vector<Vector> near;
+    for(const Vector& p : points)
+      if((p - c).norm() < 4)
+        near.push_back(p - c);
+    Eigen::MatrixXd terms(near.size(), 6);
+    Eigen::VectorXd height(near.size());
+    for(std::size_t i = 0; i < near.size(); ++i)
+    {
+      const double x = near[i].x(), y = near[i].y();
+      terms.row(Eigen::Index(i)) << 1, x, y, x * x, x * y, y * y;
+      height[Eigen::Index(i)] = near[i].z();
+    }
+    const Eigen::VectorXd rest = height - terms * terms.colPivHouseholderQr().solve(height);
+    sum += rest.squaredNorm() / double(near.size());
+  }
+  return std::sqrt(sum / double(centers.size()));
+}
+
+struct Scores
+{
+  double roughness = 0;       // where the texture has begun
+  double error = 0;           // mean distance to the true surface
+};
+
+Scores scores(const Completion& completion, const Surface_points& known, const Random_relief& relief)
+{
+  Scores result;
+  std::vector<Vector> points = known.position, inner;
+  for(const Added_point& p : completion.added)
+  {
+    points.push_back(p.position);
+    result.error += relief.distance(p.position) / double(completion.added.size());
+    if(from_center(p.position) < hole_radius - 4)
+      inner.push_back(p.position);
+  }
+  EXPECT_GT(inner.size(), 40u);
+  result.roughness = roughness(inner, points);
+  return result;
+}
+
+} // namespace
+
+TEST(Keep_texture, Roughness_goes_on_if_asked_for_and_costs_distance)
+{
+  // one surface says little: a plan may be a copy with some texture anyway, and distances depend on chance
+  const unsigned int number = 5;
+  Scores around, with, without;
+  for(unsigned int seed = 1; seed <= number; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Random_relief relief = rough_hills(seed);
+    const samples::Samples sheet = samples::graph(48, 1.,
+      [&](double x, double y) { return relief.height(x, y); },
+      [&](double x, double y) { return relief.gradient(x, y); });
+    const samples::Point middle(center, center, relief.height(center, center));
+    const Surface_points known = samples::engine_points(samples::without_ball(sheet, middle, hole_radius));
+    std::vector<Vector> ring;
+    for(const Vector& p : known.position)
+      if(from_center(p) > hole_radius + 4 && from_center(p) < hole_radius + 12)
+        ring.push_back(p);
+    around.roughness += roughness(ring, known.position) / number;
+
+    const Completion rough = completed(known, true), smooth = completed(known, false);
+    ASSERT_FALSE(rough.added.empty());
+    ASSERT_FALSE(smooth.added.empty());
+    EXPECT_EQ(rough.outcome.filling, smooth.outcome.filling);
+    const Scores with_here = scores(rough, known, relief), without_here = scores(smooth, known, relief);
+    EXPECT_GE(with_here.roughness, without_here.roughness);
+    with.roughness += with_here.roughness / number;
+    with.error += with_here.error / number;
+    without.roughness += without_here.roughness / number;
+    without.error += without_here.error / number;
+  }
+  RecordProperty("roughness_around", std::to_string(around.roughness));
+  RecordProperty("roughness_with_texture", std::to_string(with.roughness));
+  RecordProperty("roughness_without", std::to_string(without.roughness));
+  RecordProperty("error_with_texture", std::to_string(with.error));
+  RecordProperty("error_without", std::to_string(without.error));
+  EXPECT_NEAR(with.roughness, around.roughness, 0.2 * around.roughness);
+  EXPECT_LT(without.roughness, 0.75 * around.roughness);
+  EXPECT_LT(without.error, 1.02 * with.error);
+}
+
+TEST(Keep_texture, Is_the_same_where_there_is_none)
+{
+  const samples::Samples sphere = samples::without_ball(samples::sphere(3000, 15.5), samples::Point(15.5, 0, 0), 4.);
+  const Surface_points known = samples::engine_points(sphere);
+  const Completion with = completed(known, true), without = completed(known, false);
+  ASSERT_FALSE(with.added.empty());
+  ASSERT_EQ(with.added.size(), without.added.size());
+  for(std::size_t i = 0; i < with.added.size(); ++i)
+  {
+    EXPECT_TRUE(with.added[i].position == without.added[i].position);
+    EXPECT_EQ(with.added[i].source, without.added[i].source);
+  }
+}
