@@ -173,6 +173,8 @@ namespace CGAL {
       \cgalParamDescription{in how many turns about its normal each place is compared (section 6.3)}
       \cgalParamType{an integer from 1 to 360}
       \cgalParamDefault{`24`}
+      \cgalParamExtra{The policies of the paper compare cells, in copies of the set that are rotated by multiples of a quarter
+                       of \f$ \pi \f$, and do not look at it.}
     \cgalParamNEnd
 
     \cgalParamNBegin{use_mirrors}
@@ -185,6 +187,7 @@ namespace CGAL {
       \cgalParamDescription{how many places pass the short descriptor and are compared in full (section 6.3)}
       \cgalParamType{an integer from 1 to 10000000}
       \cgalParamDefault{`2000`}
+      \cgalParamExtra{The policies of the paper do not look at it; they compare up to 1000 cells in full.}
     \cgalParamNEnd
 
     \cgalParamNBegin{use_paper_policies}

@@ -94,20 +94,6 @@ public:
     return result;
   }
 
-  /// The approximations of section 5 (1 and 2) whose zero set meets the cell.
-  std::vector<const Local_approximation*> meeting_approximations(const Cell& cell) const
-  {
-    std::vector<const Local_approximation*> result;
-    const Bbox_3 box = m_surface.grid().bbox(cell);
-    for_each_approximation(cell, [&](const Local_approximation& f)
-      {
-        if(meets(f, box))
-          result.push_back(&f);
-        return true;
-      });
-    return result;
-  }
-
 private:
   bool is_met(const Cell& cell) const
   {

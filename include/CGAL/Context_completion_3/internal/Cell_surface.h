@@ -48,7 +48,7 @@ public:
   */
   Cell_surface(const Surface_points& surface, const Cell_cube& cube, std::size_t finest, std::size_t minimum_points,
                double tolerance)
-    : m_surface(surface), m_minimum_points(minimum_points), m_original(surface.size())
+    : m_surface(surface), m_minimum_points(minimum_points)
   {
     m_fits.resize(finest + 1);
     m_fit_parameters.minimum_points = minimum_points;
@@ -75,7 +75,6 @@ public:
   const Cell_tree& tree() const { return *m_tree; }
   const Cell_grid& grid() const { return m_tree->grid(); }
   std::size_t minimum_points() const { return m_minimum_points; }
-  std::size_t number_of_original_points() const { return m_original; }
 
   /// \name Points
   /// @{
@@ -162,7 +161,7 @@ private:
   }
 
   Surface_points m_surface;
-  std::size_t m_minimum_points, m_original;
+  std::size_t m_minimum_points;
   Local_fit_parameters m_fit_parameters;
   std::vector<std::map<Cell, Local_approximation> > m_fits; // by level
   std::unique_ptr<Cell_tree> m_tree;
