@@ -216,11 +216,26 @@ TEST(Cell_tree, commensurable_cubes_have_cells_of_equal_size)
     std::size_t doublings = 0;
     const Cell_cube cube = commensurable_cube(points, side, doublings);
     EXPECT_EQ(cube.side, std::ldexp(side, int(doublings)));
-    EXPECT_TRUE(doublings == 0 || std::ldexp(side, int(doublings) - 1) < bounding_cube(points).side);
+    EXPECT_TRUE(doublings == 0 || std::ldexp(side, int(doublings) - 1) < offset_cube(points).side);
     for(const Vector& p : points)
       for(int d = 0; d < 3; ++d)
         EXPECT_TRUE(p[d] > cube.lower[d] - 1e-12 && p[d] < cube.lower[d] + cube.side + 1e-12);
   }
+}
+
+TEST(Cell_tree, the_offset_cube_holds_the_points_and_parts_no_flat_set)
+{
+  std::vector<Vector> points = random_points(100, 6);
+  for(Vector& p : points)
+    p.z() = 0.25;
+  const Cell_cube cube = offset_cube(points), tight = bounding_cube(points);
+  EXPECT_LT(cube.side, 1.05 * tight.side);
+  for(const Vector& p : points)
+    EXPECT_TRUE(((p - cube.lower).array() > 0).all() && ((p - cube.lower).array() < cube.side).all());
+  const double position = (0.25 - cube.lower.z()) / cube.side;
+  for(int level = 1; level <= 8; ++level)   // the bounding cube has the set on a plane of its first level
+    EXPECT_GT(std::abs(std::ldexp(position, level) - std::round(std::ldexp(position, level))), 1e-3);
+  EXPECT_EQ((0.25 - tight.lower.z()) / tight.side, 0.5);
 }
 
 TEST(Cell_tree, morton_codes_are_inverted)
