@@ -36,6 +36,29 @@ Surface_points plane_with_hole(double lower, double upper, double slope = 0.3)
   return points;
 }
 
+// an evenly sampled unit sphere of 8000 points, with bumps, less a ball; normals are those of the sphere
+struct Sphere_with_hole
+{
+  explicit Sphere_with_hole(double bump = 0)
+  {
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      const double z = 1 - 2 * (double(i) + 0.5) / double(number), angle = 2.399963229728653 * double(i);
+      const Vector p(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
+      if((p - middle).norm() > radius)
+        points.push_back((1 + bump * std::sin(12 * p.x()) * std::sin(12 * p.y()) * std::sin(12 * p.z())) * p, p);
+      else
+        missing.push_back(p);
+    }
+  }
+
+  const std::size_t number = 8000;
+  const double h = std::sqrt(4 * 3.14159265358979 / double(number)), radius = 0.35;
+  const Vector middle = Vector(0.3, 0.5, 0.8).normalized();
+  Surface_points points;
+  std::vector<Vector> missing;
+};
+
 std::vector<std::size_t> all_holes(const Paper_policy& policy)
 {
   std::vector<std::size_t> all(policy.holes().size());
@@ -123,20 +146,11 @@ TEST(Paper_policy, a_plane_along_the_axes_is_not_doubled)
 
 TEST(Paper_policy, a_hole_in_a_sphere_is_closed)
 {
-  const std::size_t number = 8000;
-  const double h = std::sqrt(4 * 3.14159265358979 / double(number)), radius = 0.35;
-  const Vector middle = Vector(0.3, 0.5, 0.8).normalized();
-  Surface_points points;
-  std::vector<Vector> missing;
-  for(std::size_t i = 0; i < number; ++i)
-  {
-    const double z = 1 - 2 * (double(i) + 0.5) / double(number), angle = 2.399963229728653 * double(i);
-    const Vector p(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
-    if((p - middle).norm() > radius)
-      points.push_back(p, p);
-    else
-      missing.push_back(p);
-  }
+  const Sphere_with_hole sphere;
+  const Surface_points& points = sphere.points;
+  const std::vector<Vector>& missing = sphere.missing;
+  const Vector& middle = sphere.middle;
+  const double h = sphere.h, radius = sphere.radius;
   Paper_policy policy(points, Engine_parameters(), h);
   policy.choose(all_holes(policy));
   ASSERT_TRUE(Loop(policy, Loop::Callback()).run());
@@ -160,6 +174,54 @@ TEST(Paper_policy, a_hole_in_a_sphere_is_closed)
   for(const Vector& p : missing)
     covered += search.nearest(p).second < 2 * h ? 1 : 0;
   EXPECT_GT(double(covered), 0.9 * double(missing.size()));
+}
+
+// Figure 4, lines 8 and 9: a filling is accepted where no adjacent cell is finer; otherwise only its fit is kept.
+TEST(Paper_policy, fillings_between_finer_cells_are_intermediate)
+{
+  const Sphere_with_hole sphere(0.12);
+  Paper_policy policy(sphere.points, Engine_parameters(), sphere.h);
+  policy.choose(all_holes(policy));
+  const Cell_surface& surface = policy.surface();
+  std::size_t intermediate = 0, accepted = 0;
+  for(std::size_t level = policy.first_level(); ; ++level)
+  {
+    policy.begin_level(level);
+    for(const Paper_policy::Target& target : policy.find_invalid(level))
+    {
+      if(!policy.is_still_invalid(target))
+        continue;
+      const Paper_policy::Match match = policy.find_best_match(target);
+      if(!policy.is_found(match))
+        continue;
+      bool has_valid = false, has_finer = false;
+      for(std::size_t i = 0; i < 27; ++i)
+      {
+        if(i == own_offset || !target.cell.has_neighbor(cell_offset(i)))
+          continue;
+        const Cell neighbor = target.cell.neighbor(cell_offset(i));
+        has_valid = has_valid || surface.is_valid(neighbor);
+        has_finer = has_finer || (surface.is_valid(neighbor) && surface.tree().subtree_depth(neighbor) > 0);
+      }
+      const Paper_policy::Patch patch = policy.transfer(target, match);
+      if(patch.points.size() == 0)
+        continue;
+      const std::size_t before = policy.added().size();
+      policy.insert(target, match, patch);
+      const bool is_accepted = level == policy.finest_level() || (has_valid && !has_finer);
+      EXPECT_EQ(policy.added().size(), before + (is_accepted ? patch.points.size() : 0));
+      if(!is_accepted)
+      {
+        EXPECT_NE(surface.find(target.cell), nullptr) << "the fit to intermediate points is kept";
+      }
+      ++(is_accepted ? accepted : intermediate);
+    }
+    policy.end_level(level);
+    if(policy.is_last_level(level))
+      break;
+  }
+  EXPECT_GT(intermediate, 0u);
+  EXPECT_GT(accepted, 0u);
 }
 
 TEST(Paper_policy, is_deterministic)
