@@ -18,6 +18,7 @@
 #include <CGAL/Context_completion_3.h>
 #include <CGAL/Context_completion_3/internal/Property_transfer.h>
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -90,20 +91,24 @@ void throw_if_cancelled(const Completion& completion)
     throw Failure("interrupted; nothing was written");
 }
 
-// Parallel to the holes. Without faces none is covered.
-std::vector<char> covered_holes(const Completion& completion, const Point_file& file)
+// Parallel to the holes. Without faces none is covered, nor is what the user has bounded himself.
+std::vector<char> covered_holes(const Options& options, const Completion& completion, const Point_file& file)
 {
   std::vector<char> result(completion.holes().size(), 0);
   if(file.faces.empty())
     return result;
   const std::vector<char> is_at_border = points_at_border(file.faces, file.points.size());
   for(const Hole& hole : completion.holes())
-    result[hole.id] = is_covered(hole.loops, is_at_border);
+    result[hole.id] = is_covered(hole.loops, is_at_border) &&
+      std::none_of(options.user_holes.begin(), options.user_holes.end(),
+                   [&](const CGAL::Bbox_3& box) { return CGAL::do_overlap(hole.center.bbox(), box); });
   return result;
 }
 
+// \param is_covered receives, parallel to the holes, whether faces cover it
 std::unique_ptr<Completion> detect(const Options& options, const Point_file& file,
-                                   const std::vector<Point_set>& examples, Progress_bar& bar)
+                                   const std::vector<Point_set>& examples, Progress_bar& bar,
+                                   std::vector<char>& is_covered)
 {
   bar.start("finding holes");
   std::unique_ptr<Completion> completion = make_completion(options, file.points, examples);
@@ -115,22 +120,20 @@ std::unique_ptr<Completion> detect(const Options& options, const Point_file& fil
       throw Usage_error("--holes: there is no hole " + std::to_string(hole) + "; "
                         + (number == 0 ? std::string("there is none at all")
                                        : "they are numbered 0 to " + std::to_string(number - 1)));
+  is_covered = covered_holes(options, *completion, file);
   if(!options.holes.empty())
     completion->choose(options.holes);
   else
-  {
-    const std::vector<char> covered = covered_holes(*completion, file);
-    completion->choose([&](const Hole& hole) { return hole.is_to_be_filled() && !covered[hole.id]; });
-  }
+    completion->choose([&](const Hole& hole) { return hole.is_to_be_filled() && !is_covered[hole.id]; });
   return completion;
 }
 
-Completion_result result_of(const Completion& completion, const Point_file& file)
+Completion_result result_of(const Completion& completion, const std::vector<char>& is_covered)
 {
   Completion_result result;
   result.spacing = completion.spacing();
   result.holes = completion.holes();
-  result.is_covered = covered_holes(completion, file);
+  result.is_covered = is_covered;
   result.reports = completion.report();
   return result;
 }
@@ -140,14 +143,16 @@ Completion_result result_of(const Completion& completion, const Point_file& file
 Completion_result find_holes(const Options& options, const Point_file& file, const std::vector<Point_set>& examples,
                              Progress_bar& bar)
 {
-  return result_of(*detect(options, file, examples, bar), file);
+  std::vector<char> is_covered;
+  return result_of(*detect(options, file, examples, bar, is_covered), is_covered);
 }
 
 Completion_result fill_holes(const Options& options, Point_file& file, const std::vector<Point_set>& examples,
                              const History_names& names, Progress_bar& bar)
 {
   Point_set& points = file.points;
-  const std::unique_ptr<Completion> completion = detect(options, file, examples, bar);
+  std::vector<char> is_covered;
+  const std::unique_ptr<Completion> completion = detect(options, file, examples, bar, is_covered);
   std::vector<Completion::New_point> new_points;
   Stage_visitor visitor(bar);
   completion->complete(std::back_inserter(new_points),
@@ -163,7 +168,7 @@ Completion_result fill_holes(const Options& options, Point_file& file, const std
   CGAL::Context_completions_3::internal::Property_transfer<Point, Vector> transfer(points);
   transfer.read_examples(new_points, np);
   transfer.append(new_points, np);
-  return result_of(*completion, file);
+  return result_of(*completion, is_covered);
 }
 
 } // namespace Completion_program

@@ -85,8 +85,8 @@ public:
     \param points the points, a `CGAL::Point_set_3` or any other range
     \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
               `CGAL::context_complete()` that say what is to be computed and how (`geom_traits`, the hole diameters,
-              `hole_indices`, the regions, the examples, the cell tree, the search, the policies, `random_seed`), and
-              the ones listed below; see also `Context_completions_3::combine()`
+              `hole_indices`, the regions, `user_holes`, the examples, the cell tree, the search, the policies,
+              `random_seed`), and the ones listed below; see also `Context_completions_3::combine()`
 
     \cgalNamedParamsBegin
       \cgalParamNBegin{point_map}
@@ -166,7 +166,8 @@ public:
     \return `holes()`
 
     \exception Context_completions_3::Invalid_input if `hole_indices` contains an unknown index; the holes are then
-               known, but none is chosen
+               known, but none is chosen; or if a box of `user_holes` holds nothing that is open; the holes are then
+               not known
   */
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   const std::vector<Hole>& detect_holes(const CGAL_NP_CLASS& np = parameters::default_values())

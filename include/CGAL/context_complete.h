@@ -104,8 +104,8 @@ namespace CGAL {
       \cgalParamDescription{the holes to fill, as numbered by `Context_completions_3::Hole_3::id`}
       \cgalParamType{a model of `Range` with an integer value type}
       \cgalParamDefault{all holes with the state `Hole_state::hole`}
-      \cgalParamExtra{Whoever names a hole gets it filled, whatever its state; only an outer border that no surface closes
-                       stays open, and its report says so. An unknown index is an error.}
+      \cgalParamExtra{Whoever names a hole gets it filled, whatever its state; only an outer border that no surface
+                       closes stays open, and its report says so. An unknown index is an error.}
     \cgalParamNEnd
 
     \cgalParamNBegin{regions}
@@ -123,9 +123,10 @@ namespace CGAL {
     \cgalParamNEnd
 
     \cgalParamNBegin{user_holes}
-      \cgalParamDescription{boxes, each of which bounds one hole (section 5: the user defines invalid cells). The hole whose
-                            centre lies in a box is filled, whatever its size; if none was found there, the rim points in
-                            the box, also those of an outer border, bound a new hole, and its surface ends at the box.}
+      \cgalParamDescription{boxes, each of which bounds one hole (section 5: the user defines invalid cells). The
+                            hole whose centre lies in a box is filled, whatever its size; if none was found there,
+                            the rim points in the box, also those of an outer border, bound a new hole, and its
+                            surface ends at the box.}
       \cgalParamType{a model of `ConstRange` with the value type `Bbox_3` or `geom_traits::Iso_cuboid_3`}
       \cgalParamDefault{no box}
       \cgalParamExtra{A box without any rim point is an error. With the policies of the paper, the under-sampled cells
@@ -173,8 +174,8 @@ namespace CGAL {
       \cgalParamDescription{in how many turns about its normal each place is compared (section 6.3)}
       \cgalParamType{an integer from 1 to 360}
       \cgalParamDefault{`24`}
-      \cgalParamExtra{The policies of the paper compare cells, in copies of the set that are rotated by multiples of a quarter
-                       of \f$ \pi \f$, and do not look at it.}
+      \cgalParamExtra{The policies of the paper compare cells, in copies of the set that are rotated by multiples of
+                       a quarter of \f$ \pi \f$, and do not look at it.}
     \cgalParamNEnd
 
     \cgalParamNBegin{use_mirrors}

@@ -174,6 +174,20 @@ std::vector<std::vector<double> > read_lines(const std::string& text)
   return lines;
 }
 
+/// A flat sheet of `number` by `number` points at height `z`.
+std::vector<Row> sheet(int number, double z)
+{
+  std::vector<Row> rows;
+  for(int i = 0; i < number; ++i)
+    for(int j = 0; j < number; ++j)
+    {
+      Row row;
+      row.value = { double(i), double(j), z, 0, 0, 1 };
+      rows.push_back(row);
+    }
+  return rows;
+}
+
 /// A sphere as a mesh: the grid of a cube, pushed outwards. The middle of its top has no points; one face may cover it.
 struct Sphere_mesh
 {
@@ -543,8 +557,11 @@ TEST_F(Program, What_the_faces_of_a_mesh_cover_is_no_hole)
     const nlohmann::json list = nlohmann::json::parse(out);
     ASSERT_EQ(list.at("holes").size(), 1u);
     EXPECT_EQ(list.at("holes").at(0).at("state"), "covered by faces");
-    ASSERT_EQ(run(input + " " + path("out.ply") + " --holes 0"), 0) << err;
-    EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size()) << "whoever names a hole gets it filled";
+    for(const std::string named : { " --holes 0", " --hole-box -1,-1,0,1,1,2" })
+    {
+      ASSERT_EQ(run(input + " " + path("out.ply") + named), 0) << err;
+      EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size()) << "whoever names a hole gets it filled" << named;
+    }
   }
   ASSERT_EQ(run(path("in.ply") + " " + path("out.ply") + " --ignore-faces"), 0) << err;
   EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
@@ -577,14 +594,7 @@ TEST_F(Program, Complete_meshes_come_back_with_nothing_added)
 
 TEST_F(Program, A_named_outer_border_stays_open)
 {
-  std::vector<Row> rows;
-  for(int i = 0; i < 40; ++i)
-    for(int j = 0; j < 40; ++j)
-    {
-      Row row;
-      row.value = { double(i), double(j), 0, 0, 0, 1 };
-      rows.push_back(row);
-    }
+  const std::vector<Row> rows = sheet(40, 0);
   const std::string input = write("in.ply", ply_of(rows));
   ASSERT_EQ(run(input + " --list --json"), 0) << err;
   const nlohmann::json list = nlohmann::json::parse(out);
@@ -800,14 +810,7 @@ TEST_F(Program, Refuses_points_that_are_no_surface)
 
 TEST_F(Program, Takes_a_flat_sheet)
 {
-  std::vector<Row> rows;
-  for(int i = 0; i < 30; ++i)
-    for(int j = 0; j < 30; ++j)
-    {
-      Row row;
-      row.value = { double(i), double(j), 5, 0, 0, 1 };
-      rows.push_back(row);
-    }
+  const std::vector<Row> rows = sheet(30, 5);
   ASSERT_EQ(run(write("sheet.ply", ply_of(rows)) + " " + path("out.ply")), 0) << err;
   EXPECT_EQ(read_ply(path("out.ply"))["x"].size(), rows.size()) << "the border of a sheet is no hole";
 }

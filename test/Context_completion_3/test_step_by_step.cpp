@@ -352,6 +352,16 @@ TEST(Step_by_step, A_hole_that_the_user_bounds_is_that_hole)
   EXPECT_EQ(completion.holes().size(), plain.holes().size());
   EXPECT_EQ(completion.holes()[completion.chosen()[0]].loops, hole.loops);
 
+  // twice the same box is the same hole
+  for(bool is_paper : { false, true })
+  {
+    const std::vector<CGAL::Bbox_3> boxes(2, box[0]);
+    Completion twice(points, combine(parameters::user_holes(boxes), parameters::minimum_hole_diameter(100),
+                                     parameters::use_paper_policies(is_paper)));
+    twice.detect_holes();
+    EXPECT_EQ(twice.chosen().size(), 1u);
+  }
+
   const std::vector<CGAL::Bbox_3> nothing(1, CGAL::Bbox_3(-100, -100, -1, -90, -90, 1));
   for(bool is_paper : { false, true })
   {

@@ -55,8 +55,8 @@ struct Hole_report_3
   Filling filling = Filling::none;               ///< where its points came from
   std::string reason;                            ///< a sentence that says why it was copied, smooth or left
   double expected_error = 0;                     ///< expected distance of the new points to the true surface
-  double match = 0;                              ///< mismatch of the best matching place, 0 is best: by default how far the
-                                                 ///< surroundings differ, from 0 to 1; by the paper's policies eq. 1
+  double match = 0;                              ///< mismatch of the best matching place, 0 is best: by default how
+                                                 ///< far the surroundings differ; by the paper's policies eq. 1
   std::size_t level = 0;                         ///< finest level of the cell tree that contributed
   std::size_t number_of_points = 0;              ///< number of new points
 };

@@ -127,12 +127,11 @@ private:
       for(const Rim_point& p : loop.points)
       {
         data.loops.back().push_back(p.index);
-        data.center += m_model->position(p.index);
         data.spacing += m_model->spacing(p.index);
         ++number;
       }
     }
-    data.center /= double(number);
+    data.center = hole.center();
     data.spacing /= double(number);
     data.diameter = hole.loops.front().diameter;
     if(hole.patch)

@@ -40,6 +40,19 @@ struct Detected_hole
   std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< another base, where that of `patch` bulges
   bool is_outer_border = false;
   bool is_named = false;        ///< by the user
+
+  /// Mean of the rim points.
+  Vector center() const
+  {
+    Vector sum = Vector::Zero();
+    std::size_t number = 0;
+    for(const Rim_loop& loop : loops)
+    {
+      sum += double(loop.points.size()) * loop.center;
+      number += loop.points.size();
+    }
+    return sum / double(number);
+  }
 };
 
 /*!
@@ -137,7 +150,7 @@ private:
     {
       if(hole.patch)
         closed.insert(hole.patch->rim().begin(), hole.patch->rim().end());
-      if(!hole.patch || hole.is_named || !is_inside(middle(hole.loops), box))
+      if(!hole.patch || !is_inside(hole.center(), box))
         continue;
       hole.is_named = true;
       is_found = true;
@@ -172,19 +185,6 @@ private:
     require(hole.patch->number_of_uncovered() > 0, "Box ", b, " of the parameter user_holes holds nothing that is open.");
     hole.is_named = true;
     holes.push_back(hole);
-  }
-
-  Vector middle(const std::vector<Rim_loop>& loops) const
-  {
-    Vector sum = Vector::Zero();
-    std::size_t number = 0;
-    for(const Rim_loop& loop : loops)
-      for(const Rim_point& p : loop.points)
-      {
-        sum += m_model.position(p.index);
-        ++number;
-      }
-    return sum / double(number);
   }
 
   // A hole has room for some points between its rims, and these go around it: at least half of its circumference is

@@ -261,6 +261,8 @@ private:
     {
       const auto first = std::stable_partition(invalid.begin(), invalid.end(), [&](const Cell& cell)
         { return !is_inside(m_surface->grid().center(cell), m_parameters.user_holes[b]); });
+      if(first == invalid.end() && is_named(m_parameters.user_holes[b]))
+        continue;
       require(first != invalid.end(), "Box ", b, " of the parameter user_holes holds no under-sampled cell.");
       m_groups.emplace_back(first, invalid.end());
       invalid.erase(first, invalid.end());
@@ -273,6 +275,16 @@ private:
     m_outcomes.resize(m_holes.size());
     for(Hole_outcome& outcome : m_outcomes)
       outcome.reason = "not chosen";
+  }
+
+  // whether an earlier box of the user has taken cells that this one asks for
+  bool is_named(const Bbox_3& box) const
+  {
+    for(const std::vector<Cell>& group : m_groups)
+      for(const Cell& cell : group)
+        if(is_inside(m_surface->grid().center(cell), box))
+          return true;
+    return false;
   }
 
   bool is_fine_enough(const Cell& cell) const
