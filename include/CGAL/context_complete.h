@@ -174,8 +174,7 @@ namespace CGAL {
       \cgalParamDescription{in how many turns about its normal each place is compared (section 6.3)}
       \cgalParamType{an integer from 1 to 360}
       \cgalParamDefault{`24`}
-      \cgalParamExtra{The policies of the paper compare cells, in copies of the set that are rotated by multiples of
-                       a quarter of \f$ \pi \f$, and do not look at it.}
+      \cgalParamExtra{The policies of the paper do not look at it; see `rotation_angles`.}
     \cgalParamNEnd
 
     \cgalParamNBegin{use_mirrors}
@@ -195,6 +194,32 @@ namespace CGAL {
       \cgalParamDescription{whether every stage follows the paper to the letter instead of the improved defaults}
       \cgalParamType{Boolean}
       \cgalParamDefault{`false`}
+    \cgalParamNEnd
+
+    \cgalParamNBegin{rotation_angles}
+      \cgalParamDescription{the angles by which copies of the point sets are rotated about the x, y and z axes before
+                            they are cut into cells (sections 6.3 and 8), in radians}
+      \cgalParamType{a model of `ConstRange` whose value type is a number type}
+      \cgalParamDefault{one angle, a quarter of \f$ \pi \f$}
+      \cgalParamExtra{It is for the policies of the paper. An empty range means that no copies are made. The memory
+                       grows with three trees for each angle.}
+    \cgalParamNEnd
+
+    \cgalParamNBegin{use_cube_symmetries}
+      \cgalParamDescription{whether cells are compared under all 48 symmetries of the cube instead of the 8 of section
+                            6.3, rotations by \f$ \pi \f$ about the axes and reflections}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+      \cgalParamExtra{It is for the policies of the paper. Without `use_mirrors` half of them are left.}
+    \cgalParamNEnd
+
+    \cgalParamNBegin{use_box_subdivision}
+      \cgalParamDescription{whether a quadric is tested against the box of a cell by the subdivision of section 5
+                            instead of exactly}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+      \cgalParamExtra{It is for the policies of the paper. Where six subdivisions decide nothing it takes the cell for
+                       one that is met.}
     \cgalParamNEnd
 
     \cgalParamNBegin{keep_texture}

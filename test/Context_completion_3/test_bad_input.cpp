@@ -247,6 +247,14 @@ TEST(Bad_input, Numbers_out_of_range)
                        "maximum_depth"));
 }
 
+TEST(Bad_input, Angles_that_are_none)
+{
+  for(double bad : { not_a_number, infinity, 7. })
+    EXPECT_TRUE(contains(refusal_of(parameters::rotation_angles(std::vector<double>{ 0.5, bad })),
+                         "Angle 1 of the parameter rotation_angles")) << bad;
+  EXPECT_EQ(refusal_of(parameters::rotation_angles(std::vector<double>())), "");
+}
+
 TEST(Bad_input, Regions_that_are_no_boxes)
 {
   typedef std::vector<CGAL::Bbox_3> Boxes;

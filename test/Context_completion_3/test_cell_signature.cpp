@@ -237,6 +237,54 @@ TEST(Cell_candidates, a_mirrored_copy_is_found_with_its_symmetry)
   }
 }
 
+TEST(Cell_candidates, a_turned_set_is_matched_by_its_rotated_copy)
+{
+  const Surface_points sheet = bumpy_sheet(4000, 0, 6);
+  const auto surface = std::make_shared<Cell_surface>(sheet, unit_cube(), 3, 15, 1e-3);
+  for(const Matrix& rotation : rotations_about_axes({ CGAL_PI / 4, CGAL_PI / 3 }))
+  {
+    const Surface_points turned = transformed(sheet, rotation.transpose());
+    Cell_candidates candidates(paper_symmetry_group());
+    for(const Matrix& m : { Matrix(Matrix::Identity()), rotation })
+    {
+      Candidate_source source;
+      source.surface = std::make_shared<Cell_surface>(transformed(turned, m), unit_cube(), 3, 15, 1e-3);
+      candidates.add_source(source);
+    }
+    candidates.begin_level(3);
+    for(const Cell& cell : surface->tree().occupied_cells(3))
+      if(surface->is_valid(cell))
+      {
+        const Cell_match match = candidates.find_best(cell_signature(*surface, cell), Signature_weights());
+        EXPECT_EQ(match.source, 1u);
+        EXPECT_EQ(match.cell, cell);
+        EXPECT_NEAR(match.distance, 0, 1e-3);
+      }
+  }
+}
+
+TEST(Cell_candidates, all_symmetries_of_the_cube_match_what_is_turned_by_a_quarter)
+{
+  const Surface_points sheet = bumpy_sheet(4000, 0, 7);
+  const Cell_surface surface(sheet, unit_cube(), 3, 15, 1e-3);
+  Candidate_source source;
+  source.surface = std::make_shared<Cell_surface>(transformed(sheet, rotations_about_axes({ CGAL_PI / 2 })[2]),
+                                                  unit_cube(), 3, 15, 1e-3);
+  Cell_candidates paper(paper_symmetry_group()), cube(full_symmetry_group());
+  for(Cell_candidates* candidates : { &paper, &cube })
+  {
+    candidates->add_source(source);
+    candidates->begin_level(3);
+  }
+  for(const Cell& cell : surface.tree().occupied_cells(3))
+    if(surface.is_valid(cell))
+    {
+      const Cell_signature signature = cell_signature(surface, cell);
+      EXPECT_NEAR(cube.find_best(signature, Signature_weights()).distance, 0, 1e-3);
+      EXPECT_GT(paper.find_best(signature, Signature_weights()).distance, 0.01);
+    }
+}
+
 TEST(Cell_candidates, masked_points_are_neither_chosen_nor_copied)
 {
   Candidate_source source;

@@ -22,6 +22,31 @@ namespace {
 
 typedef Completion_loop<Paper_policy> Loop;
 
+std::vector<std::size_t> all_holes(const Paper_policy& policy)
+{
+  std::vector<std::size_t> all(policy.holes().size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  return all;
+}
+
+// a plane of 80 x 80 points with a wave that runs along `direction`, less a square in the middle if it has a hole
+Surface_points waves(const Vector& direction, bool has_hole)
+{
+  const double k = 2 * CGAL_PI / 0.125, height = 0.02;
+  Surface_points points;
+  for(int i = 0; i < 80; ++i)
+    for(int j = 0; j < 80; ++j)
+    {
+      const double x = (i + 0.5) / 80, y = (j + 0.5) / 80;
+      if(has_hole && std::abs(x - 0.5) < 0.12 && std::abs(y - 0.5) < 0.12)
+        continue;
+      const double phase = k * direction.dot(Vector(x, y, 0));
+      points.push_back(Vector(x, y, height * std::sin(phase)),
+                       (Vector::UnitZ() - height * k * std::cos(phase) * direction).normalized());
+    }
+  return points;
+}
+
 // a plane of 80 x 80 points, tilted by default, less a square
 Surface_points plane_with_hole(double lower, double upper, double slope = 0.3)
 {
@@ -58,13 +83,6 @@ struct Sphere_with_hole
   Surface_points points;
   std::vector<Vector> missing;
 };
-
-std::vector<std::size_t> all_holes(const Paper_policy& policy)
-{
-  std::vector<std::size_t> all(policy.holes().size());
-  std::iota(all.begin(), all.end(), std::size_t(0));
-  return all;
-}
 
 } // namespace
 
@@ -265,6 +283,62 @@ TEST(Paper_policy, a_callback_cancels)
   Paper_policy policy(plane_with_hole(0.375, 0.625), Engine_parameters(), 1. / 80);
   policy.choose(all_holes(policy));
   EXPECT_FALSE(Loop(policy, [](double) { return false; }).run());
+}
+
+// Whether they match what is turned is tested with `Cell_candidates`; here, whether they are among the candidates.
+TEST(Paper_policy, rotated_copies_and_all_symmetries_of_the_cube_are_candidates)
+{
+  Engine_parameters none, eighth, quarter, cube;
+  none.rotation_angles.clear();
+  quarter.rotation_angles = { CGAL_PI / 2 };
+  cube.rotation_angles.clear();
+  cube.cube_symmetries = true;
+  const Surface_points points = waves(Vector::UnitX(), true);
+  std::vector<std::vector<std::size_t> > sources;
+  for(Engine_parameters* parameters : { &none, &eighth, &quarter, &cube })
+  {
+    // all that may be copied is a wave across
+    parameters->is_example.assign(points.size(), 0);
+    parameters->examples.push_back(waves(Vector::UnitY(), false));
+    Paper_policy policy(points, *parameters, 1. / 80);
+    policy.choose(all_holes(policy));
+    EXPECT_TRUE(Loop(policy, Loop::Callback()).run());
+    EXPECT_FALSE(policy.added().empty());
+    sources.emplace_back();
+    for(const Added_point& point : policy.added())
+      sources.back().push_back(point.source);
+  }
+  for(std::size_t i = 0; i < sources.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      EXPECT_NE(sources[i], sources[j]) << i << ' ' << j;
+}
+
+TEST(Paper_policy, the_subdivision_of_boxes_finds_and_closes_the_same_hole)
+{
+  const Surface_points points = plane_with_hole(0.375, 0.625);
+  std::vector<std::size_t> cells, added;
+  for(bool is_by_subdivision : { false, true })
+  {
+    Engine_parameters parameters;
+    parameters.box_subdivision = is_by_subdivision;
+    Paper_policy policy(points, parameters, 1. / 80);
+    ASSERT_FALSE(policy.holes().empty());
+    std::size_t number = 0;
+    for(const Hole_data& hole : policy.holes())
+      number += hole.cells.size();
+    cells.push_back(number);
+    policy.choose(all_holes(policy));
+    EXPECT_TRUE(Loop(policy, Loop::Callback()).run());
+    added.push_back(0);
+    for(const Added_point& point : policy.added())
+    {
+      EXPECT_LT(std::abs(point.position.z() - 0.3 * point.position.x()), 0.5 / 80);
+      added.back() += std::abs(point.position.x() - 0.5) < 0.125 && std::abs(point.position.y() - 0.5) < 0.125 ? 1 : 0;
+    }
+  }
+  // undecided counts as met, so there may be more cells (at the border of the plane), not fewer
+  EXPECT_GE(cells[1], cells[0]);
+  EXPECT_NEAR(double(added[1]), double(added[0]), 0.1 * double(added[0]));
 }
 
 TEST(Paper_policy, example_sets_are_copied_from)

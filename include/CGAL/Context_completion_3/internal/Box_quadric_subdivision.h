@@ -99,6 +99,22 @@ struct Exact_box_quadric_test
   bool operator()(const Quadric& q, const Bbox_3& box) const { return do_intersect_exactly(q, box); }
 };
 
+/// One of the two, as the user says.
+class Box_quadric_test
+{
+public:
+  explicit Box_quadric_test(bool is_by_subdivision = false) : m_is_by_subdivision(is_by_subdivision) {}
+
+  bool operator()(const Quadric& q, const Bbox_3& box) const
+  {
+    return m_is_by_subdivision ? m_subdivision(q, box) : do_intersect_exactly(q, box);
+  }
+
+private:
+  bool m_is_by_subdivision;
+  Box_quadric_subdivision m_subdivision;
+};
+
 } // namespace internal
 } // namespace Context_completions_3
 } // namespace CGAL

@@ -36,13 +36,14 @@ namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
 
-/// A turn of the point set before it is cut into cells, for further candidates (section 6.3).
-/// The paper says pi/2, pi/3, ... there and pi/4 about X, Y and Z in section 8, where its examples are; those are used.
-inline std::vector<Matrix> paper_rotations()
+/// Turns of the point set before it is cut into cells, for further candidates (section 6.3): about X, Y and Z by each
+/// angle.
+inline std::vector<Matrix> rotations_about_axes(const std::vector<double>& angles)
 {
   std::vector<Matrix> rotations;
-  for(int axis = 0; axis < 3; ++axis)
-    rotations.push_back(Eigen::AngleAxisd(CGAL_PI / 4, Vector(Vector::Unit(axis))).toRotationMatrix());
+  for(double angle : angles)
+    for(int axis = 0; axis < 3; ++axis)
+      rotations.push_back(Eigen::AngleAxisd(angle, Vector(Vector::Unit(axis))).toRotationMatrix());
   return rotations;
 }
 

@@ -62,6 +62,7 @@ public:
     std::size_t hole = 0;
     std::size_t index = 0;   ///< among the targets of its level
   };
+  typedef Cell_classification<Box_quadric_test> Classification;
   typedef Cell_match Match;
   typedef Cell_patch Patch;
 
@@ -69,17 +70,17 @@ public:
   static constexpr std::size_t maximum_evaluations = 1000;
 
   /// Builds the trees and fits and detects the holes. \param spacing median distance of nearest neighbours
-  Paper_policy(const Surface_points& points, const Engine_parameters& parameters, double spacing,
-               const std::vector<Matrix>& rotations = paper_rotations())
+  Paper_policy(const Surface_points& points, const Engine_parameters& parameters, double spacing)
     : m_parameters(parameters), m_spacing(spacing),
-      m_candidates(paper_symmetry_group(parameters.mirror), maximum_evaluations)
+      m_candidates(parameters.cube_symmetries ? full_symmetry_group(parameters.mirror)
+                                              : paper_symmetry_group(parameters.mirror), maximum_evaluations)
   {
     const Cell_cube cube = offset_cube(points.position);
     const double tolerance = parameters.tolerance > 0 ? parameters.tolerance : 0.5 * spacing;
     const std::size_t finest = choose_finest_level(points.position, cube);
     m_surface = std::make_shared<Cell_surface>(points, cube, finest, parameters.minimum_cell_points, tolerance);
-    m_classification = std::make_unique<Cell_classification<> >(*m_surface);
-    add_sources(points, rotations, tolerance);
+    m_classification = std::make_unique<Classification>(*m_surface, Box_quadric_test(parameters.box_subdivision));
+    add_sources(points, rotations_about_axes(parameters.rotation_angles), tolerance);
     detect();
   }
 
@@ -373,7 +374,7 @@ private:
   Engine_parameters m_parameters;
   double m_spacing;
   std::shared_ptr<Cell_surface> m_surface;
-  std::unique_ptr<Cell_classification<> > m_classification;
+  std::unique_ptr<Classification> m_classification;
   Cell_candidates m_candidates;
   Signature_weights m_weights;
   std::vector<std::vector<Cell> > m_groups;   // finest cells of each hole

@@ -89,6 +89,25 @@ bool read_flag(const T& value, bool standard)
     return standard;
 }
 
+/// A range of angles in radians, `standard` if it is not given.
+template <typename Angles>
+std::vector<double> read_angles(const Angles& angles, const char* name, const std::vector<double>& standard)
+{
+  if constexpr(is_given<Angles>())
+  {
+    std::vector<double> result;
+    for(const auto& angle : angles)
+    {
+      result.push_back(CGAL::to_double(angle));
+      require(std::abs(result.back()) <= 2 * CGAL_PI, "Angle ", result.size() - 1, " of the parameter ", name, " is ",
+              result.back(), "; it must lie between -2 pi and 2 pi.");
+    }
+    return result;
+  }
+  else
+    return standard;
+}
+
 template <typename FT>
 Vector corner(const FT& x, const FT& y, const FT& z)
 {
@@ -97,7 +116,8 @@ Vector corner(const FT& x, const FT& y, const FT& z)
 
 /// A range of `Bbox_3` or `Iso_cuboid_3`, in the coordinates of the engine.
 template <typename Regions>
-std::vector<Bbox_3> read_regions(const Regions& regions, const char* name, const Frame& frame, bool may_be_empty = false)
+std::vector<Bbox_3> read_regions(const Regions& regions, const char* name, const Frame& frame,
+                                 bool may_be_empty = false)
 {
   std::vector<Bbox_3> boxes;
   if constexpr(is_given<Regions>())
@@ -150,6 +170,10 @@ Engine_parameters read_parameters(const PointRange& points, const NamedParameter
   result.paper = read_flag(get_parameter(np, own_np::use_paper_policies), result.paper);
   result.mirror = read_flag(get_parameter(np, own_np::use_mirrors), result.mirror);
   result.keep_texture = read_flag(get_parameter(np, own_np::keep_texture), result.keep_texture);
+  result.cube_symmetries = read_flag(get_parameter(np, own_np::use_cube_symmetries), result.cube_symmetries);
+  result.box_subdivision = read_flag(get_parameter(np, own_np::use_box_subdivision), result.box_subdivision);
+  result.rotation_angles =
+    read_angles(get_parameter_reference(np, own_np::rotation_angles), "rotation_angles", result.rotation_angles);
   result.random_seed =
     static_cast<unsigned int>(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u));
 
