@@ -73,7 +73,8 @@ inline Benchmark_surface surface_within(double seconds, const std::function<Benc
     try
     {
       const Benchmark_surface surface = compute();
-      is_done = internal::write_values(file.get(), surface.vertices) && internal::write_values(file.get(), surface.faces)
+      is_done = internal::write_values(file.get(), surface.vertices) &&
+                internal::write_values(file.get(), surface.faces)
                 && std::fflush(file.get()) == 0;
     }
     catch(const std::exception& e)

@@ -127,7 +127,8 @@ void complete(const Options& options, Point_file& file, const std::vector<Point_
     throw Usage_error("OUTPUT, --added and --report must be different files");
 
   const std::size_t number_of_points = file.points.size();
-  const History_names names = { free_name(file.points, "hole", file.notes), free_name(file.points, "source", file.notes),
+  const History_names names = { free_name(file.points, "hole", file.notes),
+                                free_name(file.points, "source", file.notes),
                                 free_name(file.points, "source_set", file.notes) };
   print_notes(file, options, bar);
 

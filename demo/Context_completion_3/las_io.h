@@ -199,7 +199,8 @@ inline std::string new_record(Point_set& points, Point_set::Index i, unsigned in
       store<Type>(record, offset, get(points.add_property_map<Type>(name).first, i));
     else if(std::is_same<Type, std::uint16_t>::value && points.has_property_map<std::uint8_t>(name))
       // colours of 8 bits
-      store<std::uint16_t>(record, offset, std::uint16_t(257 * get(points.add_property_map<std::uint8_t>(name).first, i)));
+      store<std::uint16_t>(record, offset,
+                           std::uint16_t(257 * get(points.add_property_map<std::uint8_t>(name).first, i)));
   });
   return record;
 }
@@ -253,7 +254,7 @@ inline void update_header(std::string& header, const std::vector<std::string>& r
   const std::uint64_t old_end = load<std::uint32_t>(header, data_offset) + number_before * length;
   for(const std::size_t at : { std::size_t(waveform_start), std::size_t(extended_start) })
     if(header[minor_version] >= (at == waveform_start ? 3 : 4) && load<std::uint64_t>(header, at) >= old_end)
-      store<std::uint64_t>(header, at, load<std::uint64_t>(header, at) + records.size() * length - number_before * length);
+      store<std::uint64_t>(header, at, load<std::uint64_t>(header, at) + (records.size() - number_before) * length);
 }
 
 /// Writes all points; in a frame that was read, every input point's record is the one that was read.

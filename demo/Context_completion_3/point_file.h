@@ -29,8 +29,8 @@ typedef CGAL::Point_set_3<Point> Point_set;
 enum class Format { ply, xyz, off, las };
 
 /*!
-  What is around the points of a LAS file: everything before the first record (header, projection, ...) and after the last.
-  The records themselves are the property `las_record` of the points, so that they travel to copies.
+  What is around the points of a LAS file: everything before the first record (header, projection, ...) and after the
+  last. The records themselves are the property `las_record` of the points, so that they travel to copies.
 */
 struct Las_frame
 {

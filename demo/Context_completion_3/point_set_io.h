@@ -175,7 +175,7 @@ inline void read_ply(std::istream& stream, std::uint64_t size, Point_file& file)
   if(header.has_faces)
   {
     file.notes.push_back("the faces are not kept");
-    read_faces(stream, file, [](std::istream& s, std::vector<Point>& points, std::vector<std::vector<std::size_t> >& faces)
+    read_faces(stream, file, [](std::istream& s, std::vector<Point>& points, auto& faces)
       { return CGAL::IO::read_PLY(s, points, faces); });
   }
   for(const Ply_header::Property& property : header.vertex_properties)
@@ -210,7 +210,7 @@ inline void read_off(std::istream& stream, std::uint64_t size, Point_file& file)
     throw Failure(errors.first_line("it is truncated or damaged"));
   check_number(file, promised);
   file.notes.push_back("only the points and normals are kept");
-  read_faces(stream, file, [](std::istream& s, std::vector<Point>& points, std::vector<std::vector<std::size_t> >& faces)
+  read_faces(stream, file, [](std::istream& s, std::vector<Point>& points, auto& faces)
     { return CGAL::IO::read_OFF(s, points, faces); });
 }
 

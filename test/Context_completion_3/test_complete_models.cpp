@@ -151,7 +151,8 @@ void expect_no_hole(const Surface_points& points)
   for(std::size_t h : chosen)
     ADD_FAILURE() << "hole at " << engine.holes()[h].center.transpose() << ", diameter "
                   << engine.holes()[h].diameter / engine.spacing() << " spacings, rims "
-                  << engine.holes()[h].loops.size() << ", rim points of the first " << engine.holes()[h].loops.front().size()
+                  << engine.holes()[h].loops.size() << ", rim points of the first "
+                  << engine.holes()[h].loops.front().size()
                   << ", local spacing " << engine.holes()[h].spacing / engine.spacing();
   ASSERT_TRUE(engine.complete(chosen, Engine::Callback()));
   EXPECT_TRUE(engine.added().empty()) << engine.added().size() << " points added";

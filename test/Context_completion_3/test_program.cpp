@@ -77,7 +77,8 @@ std::string line_of(const Row& row, std::size_t columns)
 std::string ply_of(const std::vector<Row>& rows, std::size_t columns = 6, bool has_properties = false)
 {
   static const char* names[] = { "x", "y", "z", "nx", "ny", "nz" };
-  std::string text = "ply\nformat ascii 1.0\ncomment made for a test\nelement vertex " + std::to_string(rows.size()) + "\n";
+  std::string text = "ply\nformat ascii 1.0\ncomment made for a test\nelement vertex "
+                     + std::to_string(rows.size()) + "\n";
   for(std::size_t i = 0; i < columns; ++i)
     text += std::string("property double ") + names[i] + "\n";
   if(has_properties)
@@ -264,14 +265,16 @@ struct Sphere_mesh
 
   std::string off() const
   {
-    return "OFF\n" + std::to_string(rows.size()) + " " + std::to_string(faces.size()) + " 0\n" + xyz_of(rows, 3) + face_lines();
+    return "OFF\n" + std::to_string(rows.size()) + " " + std::to_string(faces.size()) + " 0\n" + xyz_of(rows, 3)
+           + face_lines();
   }
 
   std::string ply() const
   {
     std::string text = ply_of(rows);
     const std::string end = "end_header\n";
-    text.insert(text.find(end), "element face " + std::to_string(faces.size()) + "\nproperty list uchar int vertex_indices\n");
+    text.insert(text.find(end), "element face " + std::to_string(faces.size())
+                + "\nproperty list uchar int vertex_indices\n");
     return text + face_lines();
   }
 
@@ -345,7 +348,8 @@ TEST_F(Program, Completes_and_keeps_properties)
 {
   const std::vector<Row> rows = sphere(0.93);
   const std::string input = write("in.ply", ply_of(rows, 6, true));
-  ASSERT_EQ(run(input + " " + path("out.ply") + " --added " + path("added.ply") + " --report " + path("report.json")), 0) << err;
+  ASSERT_EQ(run(input + " " + path("out.ply") + " --added " + path("added.ply") + " --report "
+                + path("report.json")), 0) << err;
   EXPECT_NE(out.find("points added"), std::string::npos) << out;
   EXPECT_TRUE(err.empty()) << err;
 
@@ -420,7 +424,8 @@ TEST_F(Program, Binary_input_gives_binary_output_with_the_same_numbers)
 {
   const std::vector<Row> rows = sphere(0.93);
   std::string content = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(rows.size())
-    + "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+    + "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\n"
+      "property float ny\nproperty float nz\n"
       "property ushort label\nend_header\n";
   for(std::size_t i = 0; i < rows.size(); ++i)
   {
@@ -526,7 +531,8 @@ TEST_F(Program, Estimates_normals)
   for(std::size_t i = 0; i < rows.size(); ++i)
   {
     ASSERT_EQ(result["x"][i], rows[i].value[0]) << "the order has changed";
-    ASSERT_GT(result["nx"][i] * rows[i].value[0] + result["ny"][i] * rows[i].value[1] + result["nz"][i] * rows[i].value[2],
+    ASSERT_GT(result["nx"][i] * rows[i].value[0] + result["ny"][i] * rows[i].value[1]
+              + result["nz"][i] * rows[i].value[2],
               0.9);
   }
 }
@@ -540,7 +546,8 @@ TEST_F(Program, Faces_of_a_mesh_give_normals)
   ASSERT_GT(result["x"].size(), mesh.rows.size()) << "the hole at the border of the faces is one";
   for(std::size_t i = 0; i < result["x"].size(); ++i)
   {
-    ASSERT_GT(result["nx"][i] * result["x"][i] + result["ny"][i] * result["y"][i] + result["nz"][i] * result["z"][i], 0.9);
+    ASSERT_GT(result["nx"][i] * result["x"][i] + result["ny"][i] * result["y"][i]
+              + result["nz"][i] * result["z"][i], 0.9);
   }
   expect_refusal(input, "--estimate-normals", "--ignore-faces");
 }
@@ -560,7 +567,8 @@ TEST_F(Program, What_the_faces_of_a_mesh_cover_is_no_hole)
     for(const std::string named : { " --holes 0", " --hole-box -1,-1,0,1,1,2" })
     {
       ASSERT_EQ(run(input + " " + path("out.ply") + named), 0) << err;
-      EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size()) << "whoever names a hole gets it filled" << named;
+      EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size())
+        << "whoever names a hole gets it filled" << named;
     }
   }
   ASSERT_EQ(run(path("in.ply") + " " + path("out.ply") + " --ignore-faces"), 0) << err;
@@ -623,7 +631,8 @@ TEST_F(Program, Takes_all_settings)
 {
   const std::vector<Row> rows = sphere(0.93);
   const std::string input = write("in.ply", ply_of(rows)), example = write("example.ply", ply_of(sphere(2)));
-  for(const std::string options : { "--nearest", "--no-mirrors --turns 8 --candidates 100", "--depth 5 --tolerance 0.01",
+  for(const std::string options : { "--nearest", "--no-mirrors --turns 8 --candidates 100",
+                                   "--depth 5 --tolerance 0.01",
                                     "--min-cell-points 20 --seed 7 --threads 1", "--paper" })
   {
     ASSERT_EQ(run(input + " " + path("out.ply") + " " + options), 0) << options << err;
@@ -784,8 +793,10 @@ TEST_F(Program, Refuses_ply_files_that_the_reader_would_misread)
   const std::string head = "ply\nformat ascii 1.0\nelement vertex 1\n", end = "end_header\n1 2 3 4 5 6 7\n";
   const std::string xyz = "property double x\nproperty double y\nproperty double z\n";
   expect_refusal(write("a.ply", head + xyz + "property quad a\n" + end), "known type");
-  expect_refusal(write("b.ply", head + "property int x\nproperty double y\nproperty double z\n" + end), "no float or double");
-  expect_refusal(write("c.ply", head + "property float x\nproperty double y\nproperty double z\n" + end), "mixed types");
+  expect_refusal(write("b.ply", head + "property int x\nproperty double y\nproperty double z\n" + end),
+                 "no float or double");
+  expect_refusal(write("c.ply", head + "property float x\nproperty double y\nproperty double z\n" + end),
+                 "mixed types");
   expect_refusal(write("d.ply", head + "property double x\nproperty double y\n" + end), "no coordinate z");
   expect_refusal(write("e.ply", head + xyz + "property int index\n" + end), "reserved");
   expect_refusal(write("f.ply", head + xyz + "property int a\nproperty int a\n" + end), "twice");

@@ -257,7 +257,8 @@ TEST(Step_by_step, Cancelling_can_be_resumed)
 // By the paper's policy no hole is done before all are, and a later call goes on from the cells that were filled.
 TEST(Step_by_step, Cancelling_the_paper_policy_can_be_resumed)
 {
-  const Point_set points = samples::point_set(samples::without_ball(samples::plane(80), samples::Point(41, 36, 0), 12.));
+  const Point_set points =
+    samples::point_set(samples::without_ball(samples::plane(80), samples::Point(41, 36, 0), 12.));
   Completion whole(points, parameters::use_paper_policies(true));
   whole.detect_holes();
   std::size_t number_of_calls = 0;

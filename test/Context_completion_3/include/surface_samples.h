@@ -91,7 +91,8 @@ inline Samples bumpy_plane(std::size_t rows, double spacing, double period, doub
 }
 
 /// Points of the graph of a steep `height` over [0, width] x [0, depth], no two closer than `distance`.
-inline Samples steep_graph(double width, double depth, double distance, const std::function<double(double, double)>& height,
+inline Samples steep_graph(double width, double depth, double distance,
+                           const std::function<double(double, double)>& height,
                            unsigned int seed = 1)
 {
   Random_offsets offset(seed);
@@ -206,8 +207,8 @@ inline Samples bumpy_plane_with_hole()
   return without_ball(bumpy_plane(48, 1., 8., 1.), Point(25, 23, 0), 4.);
 }
 
-/// Four patterns that meet at (40, 40): what is around that point is there only once, what is around each part of it, many
-/// times.
+/// Four patterns that meet at (40, 40): what is around that point is there only once, what is around each part of it,
+/// many times.
 inline double four_patterns_height(double x, double y)
 {
   const double u = x - 40, v = y - 40, w = 2 * pi / 8;

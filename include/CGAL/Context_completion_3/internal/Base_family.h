@@ -32,15 +32,15 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Smooth continuations of what is known around a hole, from interpolating to strongly smoothing: as operators from data at
-  the centres (value and gradient over the base of the patch, 4 numbers a centre) to heights at its samples.
+  Smooth continuations of what is known around a hole, from interpolating to strongly smoothing: as operators from data
+  at the centres (value and gradient over the base of the patch, 4 numbers a centre) to heights at its samples.
 
-  Each is a trend (polyharmonic, with more or less noise) plus what the trend misses at the centres, which either is made
-  up close to the rim or goes on as a random field with a Matern covariance of some range (simple kriging).
+  Each is a trend (polyharmonic, with more or less noise) plus what the trend misses at the centres, which either is
+  made up close to the rim or goes on as a random field with a Matern covariance of some range (simple kriging).
 
-  None is best everywhere: interpolation wins on clean smooth surfaces, and carries the slope of noise and relief far into
-  the hole elsewhere. So they are weighted by what they reach on fake holes, or, where there are too few of those, by how
-  well each predicts sectors of the surroundings from the others.
+  None is best everywhere: interpolation wins on clean smooth surfaces, and carries the slope of noise and relief far
+  into the hole elsewhere. So they are weighted by what they reach on fake holes, or, where there are too few of those,
+  by how well each predicts sectors of the surroundings from the others.
 */
 template <typename ConcurrencyTag>
 class Base_family

@@ -86,8 +86,8 @@ public:
     return Completion_loop<Example_policy<ConcurrencyTag> >(policy, callback).run();
   }
 
-  /// Whether it makes no difference in which order holes are filled, and with which others. By the paper's policy a hole
-  /// changes the fits of the cells that another one sees, and the cells of all holes compete for the next turn.
+  /// Whether it makes no difference in which order holes are filled, and with which others. By the paper's policy a
+  /// hole changes the fits of the cells that another one sees, and the cells of all holes compete for the next turn.
   bool are_holes_independent() const { return !m_parameters.paper; }
 
   const std::vector<Added_point>& added() const { return m_added; }

@@ -28,9 +28,9 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Runs the engine hole by hole where holes are independent, so that a visitor hears of each as it is done and a later call
-  goes on behind the last one; otherwise all at once. Keeps account of what has been handed out.
-  Neither copied nor moved: the engine may refer to the points.
+  Runs the engine hole by hole where holes are independent, so that a visitor hears of each as it is done and a later
+  call goes on behind the last one; otherwise all at once. Keeps account of what has been handed out. Neither copied nor
+  moved: the engine may refer to the points.
 */
 template <typename ConcurrencyTag>
 class Completion_session

@@ -36,9 +36,9 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Copy or smooth, and how: decided by fake holes. Each of the best matching source places is taken for a hole of the same
-  outline; all plans fill it from the other places; the truth is known there. What fills the fake holes best fills the
-  hole, and the error made there is the error to expect.
+  Copy or smooth, and how: decided by fake holes. Each of the best matching source places is taken for a hole of the
+  same outline; all plans fill it from the other places; the truth is known there. What fills the fake holes best fills
+  the hole, and the error made there is the error to expect.
 
   How much of a copy to believe depends on how well its surroundings match: all of it at no mismatch, nothing of a bad
   match. Where the one turns into the other is learnt from the fake holes (`Trust`), so a hole whose twin was found is
@@ -189,8 +189,8 @@ private:
       m_sector_error += weights[m] * sector_errors[m];
   }
 
-  // A copy that is to be believed and the smooth base cannot both be right where they differ. A feature that the rim does
-  // not show is known from its twin alone; the smooth base did well on fake holes without one.
+  // A copy that is to be believed and the smooth base cannot both be right where they differ. A feature that the rim
+  // does not show is known from its twin alone; the smooth base did well on fake holes without one.
   void contradict(std::vector<Plan_forecast>& forecasts) const
   {
     std::size_t best = 0;

@@ -27,9 +27,10 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  The default policy of the `Completion_loop`. A hole is filled as a whole at the level whose cells just hold it, so large
-  holes come before small ones, each on the coarse surface that its own size calls for. The levels below fill pieces of it
-  anew, each as large as a cell, those first whose surroundings are known best. The points follow its last level.
+  The default policy of the `Completion_loop`. A hole is filled as a whole at the level whose cells just hold it, so
+  large holes come before small ones, each on the coarse surface that its own size calls for. The levels below fill
+  pieces of it anew, each as large as a cell, those first whose surroundings are known best. The points follow its last
+  level.
 */
 template <typename ConcurrencyTag>
 class Example_policy

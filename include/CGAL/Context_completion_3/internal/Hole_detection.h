@@ -182,7 +182,8 @@ private:
       if(hole.patch->number_of_uncovered() > 0)
         break;
     }
-    require(hole.patch->number_of_uncovered() > 0, "Box ", b, " of the parameter user_holes holds nothing that is open.");
+    require(hole.patch->number_of_uncovered() > 0, "Box ", b,
+            " of the parameter user_holes holds nothing that is open.");
     hole.is_named = true;
     holes.push_back(hole);
   }

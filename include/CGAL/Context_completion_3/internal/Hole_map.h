@@ -28,9 +28,9 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Holes in the cell tree of the default policy (paper, sections 3 and 5). A cell holds as many points as the surface in it
-  asks for: the area of the base inside over the squared spacing, which the samples of the base count. A cell that falls
-  well below is invalid; a fixed number m would call each cell invalid whose corner the surface clips.
+  Holes in the cell tree of the default policy (paper, sections 3 and 5). A cell holds as many points as the surface in
+  it asks for: the area of the base inside over the squared spacing, which the samples of the base count. A cell that
+  falls well below is invalid; a fixed number m would call each cell invalid whose corner the surface clips.
 */
 template <typename ConcurrencyTag>
 class Hole_map

@@ -55,8 +55,8 @@ struct Piece_filling
 };
 
 /*!
-  The finer levels of a hole (paper, section 4): pieces of half, a quarter, ... of its size are matched anew, with what is
-  known and what has been settled around them, and replaced where a copy that is to be believed promises clearly less
+  The finer levels of a hole (paper, section 4): pieces of half, a quarter, ... of its size are matched anew, with what
+  is known and what has been settled around them, and replaced where a copy that is to be believed promises clearly less
   error than what the coarser level left.
 
   The places that filled the whole and the neighbouring pieces are tried, too (coherence): they need not be found again,

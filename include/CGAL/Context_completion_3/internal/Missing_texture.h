@@ -85,8 +85,8 @@ public:
     return texture;
   }
 
-  /// Finer relief than 0.05 spacings cannot be told from an uneven sampling; texture that is random against the true one
-  /// adds to the error, by a fifth at most below 0.7 of it; and a place with much more of it has another texture.
+  /// Finer relief than 0.05 spacings cannot be told from an uneven sampling; texture that is random against the true
+  /// one adds to the error, by a fifth at most below 0.7 of it; and a place with much more of it has another texture.
   bool is_fitting(const Texture& texture, double error) const
   {
     return texture.amplitude > 0.05 * m_spacing && texture.amplitude < 0.7 * error &&

@@ -34,8 +34,8 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Turns the relief of a hole into points: source points carried over, displaced along the normals of the base, thinned against the known
-  surface; then samples of the base, raised to the planned height, where nothing came to lie.
+  Turns the relief of a hole into points: source points carried over, displaced along the normals of the base, thinned
+  against the known surface; then samples of the base, raised to the planned height, where nothing came to lie.
 */
 template <typename ConcurrencyTag>
 class Patch_transfer

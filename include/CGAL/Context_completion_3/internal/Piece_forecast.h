@@ -33,8 +33,8 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Copies for a piece of a hole, and their forecasts on fake pieces: as `Copy_forecast`, but all that is known is a part of
-  the rim and what has been filled before. On the fake pieces no more is known, so that the forecast is honest.
+  Copies for a piece of a hole, and their forecasts on fake pieces: as `Copy_forecast`, but all that is known is a part
+  of the rim and what has been filled before. On the fake pieces no more is known, so that the forecast is honest.
 */
 template <typename ConcurrencyTag>
 class Piece_forecast

@@ -34,8 +34,9 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  The places of one source that holes of some radius are compared with: frames spread over its surface, a grid for coarse
-  scores, and, on surfaces that are large against the hole, a shortlist by descriptors. Holes of the same radius share it.
+  The places of one source that holes of some radius are compared with: frames spread over its surface, a grid for
+  coarse scores, and, on surfaces that are large against the hole, a shortlist by descriptors. Holes of the same radius
+  share it.
 */
 template <typename ConcurrencyTag>
 class Place_index

@@ -27,8 +27,8 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  Tells which loops may bound one hole: the two ends of a cut tube, the pieces of a broken rim, an island. A loop that is
-  used by a hole is not proposed again.
+  Tells which loops may bound one hole: the two ends of a cut tube, the pieces of a broken rim, an island. A loop that
+  is used by a hole is not proposed again.
 */
 template <typename ConcurrencyTag>
 class Rim_grouping
@@ -125,8 +125,8 @@ private:
   // the end of a tube is a ring
   static std::size_t fewest_tube_points() { return 6; }
 
-  // The outward directions meet in a place that all of them lead to. At an acute edge this is not the centre of the rim:
-  // both sides lead to the edge.
+  // The outward directions meet in a place that all of them lead to. At an acute edge this is not the centre of the
+  // rim: both sides lead to the edge.
   bool open_to_each_other(const std::vector<Rim_loop>& members) const
   {
     Vector center = Vector::Zero(), right = Vector::Zero();

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
 
-/// How badly a place fits around a hole: a weighted mean of terms between 0 (perfect) and 1 + kappa (hopeless), those of
-/// equations 1 to 3 of the paper, truncated.
+/// How badly a place fits around a hole: a weighted mean of terms between 0 (perfect) and 1 + kappa (hopeless), those
+/// of equations 1 to 3 of the paper, truncated.
 class Rim_mismatch
 {
 public:

@@ -94,7 +94,8 @@ private:
 
   double band_width() const { return (std::max)(5 * m_area_spacing, 0.45 * m_diameter); }
 
-  // The radius whose fits best predict points that they do not know: noise asks for a large one, relief for a small one.
+  // The radius whose fits best predict points that they do not know: noise asks for a large one, relief for a small
+  // one.
   void choose_fit_radius()
   {
     const std::size_t most = 150, step = m_band.size() / most + 1;

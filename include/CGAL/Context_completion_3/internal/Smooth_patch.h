@@ -43,8 +43,8 @@ struct Base_sample
 
 /*!
   The smooth base over a whole hole: polyharmonic through the surroundings, sampled from the rim inwards. It is the
-  coarsest approximation of the missing surface (in place of the quadric of the parent cell, which cannot cover a hole as
-  large as the cell), the guide of the search, and the answer where no example is trusted.
+  coarsest approximation of the missing surface (in place of the quadric of the parent cell, which cannot cover a hole
+  as large as the cell), the guide of the search, and the answer where no example is trusted.
 */
 template <typename ConcurrencyTag>
 class Smooth_patch

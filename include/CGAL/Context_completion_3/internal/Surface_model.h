@@ -66,8 +66,8 @@ public:
   double area_spacing(std::size_t i) const { return m_area_spacing[i]; }
   double spacing(std::size_t i) const { return m_area_spacing[i] * m_median_spacing / m_median_area_spacing; }
 
-  /// Points that the surface goes on to from point `i`, itself included: those within 1.8 area spacings on the same side,
-  /// so that paths over them do not reach the far side of a thin part. By increasing index.
+  /// Points that the surface goes on to from point `i`, itself included: those within 1.8 area spacings on the same
+  /// side, so that paths over them do not reach the far side of a thin part. By increasing index.
   void linked_points(std::size_t i, std::vector<std::size_t>& found) const
   {
     m_search.in_ball(m_points.position[i], 1.8 * m_area_spacing[i], found);

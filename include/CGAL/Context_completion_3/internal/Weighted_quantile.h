@@ -24,8 +24,8 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  The value below which lies the given share of the weight; linear between the values, each of which stands in the middle
-  of its weight, so that it is continuous in values and weights.
+  The value below which lies the given share of the weight; linear between the values, each of which stands in the
+  middle of its weight, so that it is continuous in values and weights.
 
   \param values pairs of value and weight, at least one, weights of sum 1; sorted by the function
   \param share 0 to 1; 0.5: the weighted median
