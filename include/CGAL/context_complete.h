@@ -213,6 +213,14 @@ namespace CGAL {
       \cgalParamExtra{It is for the policies of the paper. Without `use_mirrors` half of them are left.}
     \cgalParamNEnd
 
+    \cgalParamNBegin{use_support_balls}
+      \cgalParamDescription{whether the approximation of a cell is fitted to the points in a ball around it, which
+                            overlaps its neighbours, instead of those in the cell alone (section 4)}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+      \cgalParamExtra{It is for the policies of the paper, which it makes better on most models, and slower.}
+    \cgalParamNEnd
+
     \cgalParamNBegin{use_box_subdivision}
       \cgalParamDescription{whether a quadric is tested against the box of a cell by the subdivision of section 5
                             instead of exactly}

@@ -230,7 +230,7 @@ TEST(Compilation, All_parameters_of_a_point_set)
             parameters::number_of_turns(12), parameters::use_mirrors(true), parameters::number_of_candidates(500),
             parameters::use_paper_policies(false), parameters::keep_texture(true),
             parameters::rotation_angles(std::vector<double>(1, 1.5)), parameters::use_cube_symmetries(true),
-            parameters::use_box_subdivision(true),
+            parameters::use_support_balls(true), parameters::use_box_subdivision(true),
             parameters::source_map(source), parameters::source_set_map(source_set), parameters::hole_map(hole),
             parameters::confidence_map(confidence), parameters::hole_reports(std::back_inserter(reports))));
 

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <random>
 
 using namespace CGAL::Context_completions_3::internal;
 
@@ -311,6 +312,61 @@ TEST(Paper_policy, rotated_copies_and_all_symmetries_of_the_cube_are_candidates)
   for(std::size_t i = 0; i < sources.size(); ++i)
     for(std::size_t j = 0; j < i; ++j)
       EXPECT_NE(sources[i], sources[j]) << i << ' ' << j;
+}
+
+TEST(Cell_surface, support_balls_see_through_noise_and_what_was_added)
+{
+  std::mt19937 random(8);
+  std::normal_distribution<double> noise(0, 0.4 / 80);
+  const Surface_points flat = plane_with_hole(1, 0);
+  Surface_points points, first, second;
+  for(std::size_t i = 0; i < flat.size(); ++i)
+  {
+    points.push_back(flat.position[i] + noise(random) * flat.normal[i], flat.normal[i]);
+    (i % 3 == 0 ? second : first).push_back(points.position.back(), flat.normal[i]);
+  }
+  Cell_cube cube;
+  cube.lower = Vector(-0.02, -0.01, -0.03);
+  cube.side = 1.07;
+  const Cell_surface bare(points, cube, 4, 15, 1e-3), balls(points, cube, 4, 15, 1e-3, true);
+  Cell_surface added(first, cube, 4, 15, 1e-3, true);
+  for(std::size_t i = 0; i < second.size(); ++i)
+    added.add_point(second.position[i], second.normal[i]);
+  double error_of_bare = 0, error_of_balls = 0;
+  for(const Cell& cell : balls.tree().occupied_cells(4))
+  {
+    if(!balls.is_valid(cell))
+      continue;
+    const std::vector<std::size_t> inside = balls.points(cell);
+    error_of_bare += bare.find(cell)->error(flat, inside);
+    error_of_balls += balls.find(cell)->error(flat, inside);
+    added.fit(cell);
+    EXPECT_NEAR(added.find(cell)->error(flat, inside), balls.find(cell)->error(flat, inside), 1e-8);
+  }
+  EXPECT_GT(error_of_bare, 0);
+  EXPECT_LT(error_of_balls, 0.8 * error_of_bare);
+}
+
+TEST(Paper_policy, support_balls_close_the_same_hole)
+{
+  const Surface_points points = plane_with_hole(0.375, 0.625);
+  Engine_parameters parameters;
+  parameters.support_balls = true;
+  Paper_policy policy(points, parameters, 1. / 80);
+  policy.choose(all_holes(policy));
+  EXPECT_TRUE(Loop(policy, Loop::Callback()).run());
+  std::vector<Vector> all = points.position;
+  for(const Added_point& point : policy.added())
+  {
+    all.push_back(point.position);
+    EXPECT_LT(std::abs(point.position.z() - 0.3 * point.position.x()), 0.5 / 80);
+  }
+  const Neighbor_search search(all);
+  std::size_t covered = 0, asked = 0;
+  for(double x = 0.38; x < 0.625; x += 1. / 80)
+    for(double y = 0.38; y < 0.625; y += 1. / 80, ++asked)
+      covered += search.nearest(Vector(x, y, 0.3 * x)).second < 2. / 80 ? 1 : 0;
+  EXPECT_GT(double(covered), 0.95 * double(asked));
 }
 
 TEST(Paper_policy, the_subdivision_of_boxes_finds_and_closes_the_same_hole)

@@ -16,6 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Cell_tree.h>
 #include <CGAL/Context_completion_3/internal/Local_fit.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -45,11 +46,15 @@ public:
     \param finest level of the finest cells
     \param minimum_points m
     \param tolerance epsilon: a cell of more than m points whose fit is worse is subdivided
+    \param support_balls whether a cell is fitted to the points of a ball around it that look the same way, instead of
+           those in it alone
   */
   Cell_surface(const Surface_points& surface, const Cell_cube& cube, std::size_t finest, std::size_t minimum_points,
-               double tolerance)
+               double tolerance, bool support_balls = false)
     : m_surface(surface), m_minimum_points(minimum_points)
   {
+    if(support_balls)
+      m_original = std::make_unique<Neighbor_search>(surface.position);
     m_fits.resize(finest + 1);
     m_fit_parameters.minimum_points = minimum_points;
     const Cell_grid grid(cube, finest);
@@ -144,6 +149,15 @@ public:
   const std::map<Cell, Local_approximation>& fits(std::size_t level) const { return m_fits[level]; }
   /// @}
 
+  /// Original points and those added within `radius`, by increasing index. \pre support balls are used
+  void in_ball(const Vector& q, double radius, std::vector<std::size_t>& found) const
+  {
+    m_original->in_ball(q, radius, found);
+    for(std::size_t i = m_original->size(); i < m_surface.size(); ++i)
+      if((m_surface.position[i] - q).norm() <= radius)
+        found.push_back(i);
+  }
+
 private:
   typedef std::multimap<std::uint64_t, std::size_t> Added;
   typedef Added::const_iterator Added_iterator;
@@ -156,11 +170,26 @@ private:
 
   Local_approximation fitted(const Cell_grid& grid, const Cell& cell, const std::vector<std::size_t>& indices) const
   {
-    return fit_local_approximation(bare_cell_support(m_surface, indices, grid.center(cell), grid.edge(cell.level)),
+    const Vector center = grid.center(cell);
+    const double edge = grid.edge(cell.level);
+    if(!m_original)
+      return fit_local_approximation(bare_cell_support(m_surface, indices, center, edge), m_fit_parameters);
+    Vector side = Vector::Zero();
+    for(std::size_t i : indices)
+      side += m_surface.normal[i];
+    // a cell with points on both sides is fitted to all: the far side of a thin part is not far there
+    for(std::size_t i : indices)
+      if(m_surface.normal[i].dot(side) < 0)
+      {
+        side.setZero();
+        break;
+      }
+    return fit_local_approximation(ball_support(m_surface, *this, center, edge, side, m_fit_parameters),
                                    m_fit_parameters);
   }
 
   Surface_points m_surface;
+  std::unique_ptr<const Neighbor_search> m_original;        // of the original points, if support balls are used
   std::size_t m_minimum_points;
   Local_fit_parameters m_fit_parameters;
   std::vector<std::map<Cell, Local_approximation> > m_fits; // by level

@@ -107,6 +107,7 @@ struct Engine_parameters
   std::size_t number_of_candidates = 2000;    ///< size of the shortlist of places
   std::vector<double> rotation_angles = { CGAL_PI / 4 };   ///< of rotated copies about X, Y and Z (paper, section 8)
   bool cube_symmetries = false;               ///< cells are compared under all 48 instead of the paper's 8
+  bool support_balls = false;                 ///< cells are fitted to more points than their own
   bool box_subdivision = false;               ///< the paper's own test of a quadric against a box, not the exact one
   bool keep_texture = true;                   ///< true in texture rather than nearest in distance
   unsigned int random_seed = 0;

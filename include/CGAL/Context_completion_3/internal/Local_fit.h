@@ -81,13 +81,14 @@ Fit_data bare_cell_support(const Surface_points& surface, const IndexRange& indi
 /*!
   The support ball of the multi-level partition of unity: radius 0.75 cell diagonals, grown by a tenth of that while
   it holds no more than N_min points, weighted by a quadratic B-spline of the distance.
-  \param search over the positions of `surface`
+  \param search over the positions of `surface`, with `in_ball()` as that of `Neighbor_search`
   \param side if not zero, points whose normals look the other way are left out, so that the far side of a thin part
          does not leak into the fit; they then do not count for N_min, either
 */
-inline Fit_data ball_support(const Surface_points& surface, const Neighbor_search& search, const Vector& center,
-                             double edge, const Vector& side = Vector::Zero(),
-                             const Local_fit_parameters& parameters = Local_fit_parameters())
+template <typename BallSearch>
+Fit_data ball_support(const Surface_points& surface, const BallSearch& search, const Vector& center, double edge,
+                      const Vector& side = Vector::Zero(),
+                      const Local_fit_parameters& parameters = Local_fit_parameters())
 {
   Fit_data data;
   data.surface = &surface;

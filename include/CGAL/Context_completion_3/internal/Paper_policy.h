@@ -78,7 +78,8 @@ public:
     const Cell_cube cube = offset_cube(points.position);
     const double tolerance = parameters.tolerance > 0 ? parameters.tolerance : 0.5 * spacing;
     const std::size_t finest = choose_finest_level(points.position, cube);
-    m_surface = std::make_shared<Cell_surface>(points, cube, finest, parameters.minimum_cell_points, tolerance);
+    m_surface = std::make_shared<Cell_surface>(points, cube, finest, parameters.minimum_cell_points, tolerance,
+                                               parameters.support_balls);
     m_classification = std::make_unique<Classification>(*m_surface, Box_quadric_test(parameters.box_subdivision));
     add_sources(points, rotations_about_axes(parameters.rotation_angles), tolerance);
     detect();
@@ -244,7 +245,8 @@ private:
     Candidate_source source;
     const Cell_cube cube = commensurable_cube(rotated.position, m_surface->grid().cube().side, source.level_shift);
     const std::size_t finest = (std::min)(finest_level() + source.level_shift, std::size_t(Cell::maximum_level));
-    source.surface = std::make_shared<Cell_surface>(rotated, cube, finest, m_parameters.minimum_cell_points, tolerance);
+    source.surface = std::make_shared<Cell_surface>(rotated, cube, finest, m_parameters.minimum_cell_points, tolerance,
+                                                    m_parameters.support_balls);
     source.source_set = set;
     if(set == 0)
       source.is_example = m_parameters.is_example;

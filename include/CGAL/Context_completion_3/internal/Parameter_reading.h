@@ -171,6 +171,7 @@ Engine_parameters read_parameters(const PointRange& points, const NamedParameter
   result.mirror = read_flag(get_parameter(np, own_np::use_mirrors), result.mirror);
   result.keep_texture = read_flag(get_parameter(np, own_np::keep_texture), result.keep_texture);
   result.cube_symmetries = read_flag(get_parameter(np, own_np::use_cube_symmetries), result.cube_symmetries);
+  result.support_balls = read_flag(get_parameter(np, own_np::use_support_balls), result.support_balls);
   result.box_subdivision = read_flag(get_parameter(np, own_np::use_box_subdivision), result.box_subdivision);
   result.rotation_angles =
     read_angles(get_parameter_reference(np, own_np::rotation_angles), "rotation_angles", result.rotation_angles);
