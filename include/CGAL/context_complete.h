@@ -218,7 +218,8 @@ namespace CGAL {
                             overlaps its neighbours, instead of those in the cell alone (section 4)}
       \cgalParamType{Boolean}
       \cgalParamDefault{`false`}
-      \cgalParamExtra{It is for the policies of the paper, which it makes better on most models, and slower.}
+      \cgalParamExtra{It is for the policies of the paper, whose time it nearly doubles; on some models the
+                       fillings become better, on others worse.}
     \cgalParamNEnd
 
     \cgalParamNBegin{use_box_subdivision}
