@@ -322,8 +322,8 @@ TEST(Cell_classification, agrees_with_the_definition_and_is_dynamic)
         plane.push_back(p, Vector(0, 0, 1));
     }
   Cell_surface surface(plane, unit_cube(), 3, 15, 1e-6);
-  const Cell_classification<> exact(surface);
-  const Cell_classification<Box_quadric_subdivision> paper(surface);
+  const Cell_classification exact(surface);
+  const Cell_classification paper(surface, Box_quadric_test(true));
   std::vector<Cell> invalid;
   for(std::size_t level = 1; level <= 3; ++level)
   {

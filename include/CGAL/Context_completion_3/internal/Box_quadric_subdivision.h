@@ -93,13 +93,7 @@ private:
   std::size_t m_maximum;
 };
 
-/// The exact decision as a policy, exchangeable with `Box_quadric_subdivision`.
-struct Exact_box_quadric_test
-{
-  bool operator()(const Quadric& q, const Bbox_3& box) const { return do_intersect_exactly(q, box); }
-};
-
-/// One of the two, as the user says.
+/// The exact decision, or the paper's own.
 class Box_quadric_test
 {
 public:

@@ -39,15 +39,11 @@ enum class Cell_status { void_cell, invalid, valid };
   26 adjacent cells of its level, as far as they carry one. A void parent carries none; then its nearest ancestor with
   one takes its place. (That one does not meet the parent, or the parent would not be void.) A cell's own
   approximation, known after an intermediate filling, counts, too.
-
-  \tparam BoxTest `bool(const Quadric&, const Bbox_3&)`: `Exact_box_quadric_test` or the paper's own
-          `Box_quadric_subdivision`
 */
-template <typename BoxTest = Exact_box_quadric_test>
 class Cell_classification
 {
 public:
-  explicit Cell_classification(const Cell_surface& surface, const BoxTest& test = BoxTest())
+  explicit Cell_classification(const Cell_surface& surface, const Box_quadric_test& test = Box_quadric_test())
     : m_surface(surface), m_test(test)
   {}
 
@@ -133,7 +129,7 @@ private:
   }
 
   const Cell_surface& m_surface;
-  BoxTest m_test;
+  Box_quadric_test m_test;
 };
 
 } // namespace internal

@@ -62,7 +62,6 @@ public:
     std::size_t hole = 0;
     std::size_t index = 0;   ///< among the targets of its level
   };
-  typedef Cell_classification<Box_quadric_test> Classification;
   typedef Cell_match Match;
   typedef Cell_patch Patch;
 
@@ -80,7 +79,7 @@ public:
     const std::size_t finest = choose_finest_level(points.position, cube);
     m_surface = std::make_shared<Cell_surface>(points, cube, finest, parameters.minimum_cell_points, tolerance,
                                                parameters.support_balls);
-    m_classification = std::make_unique<Classification>(*m_surface, Box_quadric_test(parameters.box_subdivision));
+    m_classification = std::make_unique<Cell_classification>(*m_surface, Box_quadric_test(parameters.box_subdivision));
     add_sources(points, rotations_about_axes(parameters.rotation_angles), tolerance);
     detect();
   }
@@ -376,7 +375,7 @@ private:
   Engine_parameters m_parameters;
   double m_spacing;
   std::shared_ptr<Cell_surface> m_surface;
-  std::unique_ptr<Classification> m_classification;
+  std::unique_ptr<Cell_classification> m_classification;
   Cell_candidates m_candidates;
   Signature_weights m_weights;
   std::vector<std::vector<Cell> > m_groups;   // finest cells of each hole
