@@ -75,7 +75,7 @@ public:
 
   bool is_still_invalid(Target target) const { return !cells[target].is_valid; }
 
-  Match find_best_match(Target target)
+  Match find_best_match(Target target, const Poll&)
   {
     note("match", target);
     return { target, cells[target].has_match };

@@ -10,6 +10,7 @@
 // Author(s)     : The Context_completion_3 authors
 
 #include <CGAL/Context_completion_3/internal/Local_fit.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 
 #include <gtest/gtest.h>
 

@@ -210,7 +210,7 @@ TEST(Paper_policy, fillings_between_finer_cells_are_intermediate)
     {
       if(!policy.is_still_invalid(target))
         continue;
-      const Paper_policy::Match match = policy.find_best_match(target);
+      const Paper_policy::Match match = policy.find_best_match(target, Poll());
       if(!policy.is_found(match))
         continue;
       bool has_valid = false, has_finer = false;

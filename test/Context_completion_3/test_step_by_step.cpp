@@ -249,9 +249,35 @@ TEST(Step_by_step, Cancelling_can_be_resumed)
     number_of_cancellations += completion.is_cancelled();
     EXPECT_EQ(added.empty(), completion.is_cancelled());
   }
-  EXPECT_GE(number_of_cancellations, 2u);
+  EXPECT_GE(number_of_cancellations, 8u) << "the search of one hole is asked, too";
   EXPECT_FALSE(completion.is_cancelled());
   EXPECT_TRUE(is_same(added, expected));
+}
+
+TEST(Step_by_step, Detection_by_the_paper_policy_can_be_cancelled_at_every_stage)
+{
+  const Point_set points = samples::point_set(samples::plane_with_hole());
+  Completion whole(points, parameters::use_paper_policies(true));
+  std::size_t number_of_calls = 0;
+  const std::function<bool(double)> counting = [&](double fraction)
+  {
+    EXPECT_GE(fraction, 0.);
+    EXPECT_LE(fraction, 1.);
+    ++number_of_calls;
+    return true;
+  };
+  const std::size_t number_of_holes = whole.detect_holes(parameters::callback(counting)).size();
+  ASSERT_GT(number_of_holes, 0u);
+  ASSERT_GE(number_of_calls, 7u) << "trees, three rotated copies, detection";
+  for(std::size_t allowed = 0; allowed < number_of_calls; ++allowed)
+  {
+    Completion completion(points, parameters::use_paper_policies(true));
+    std::size_t calls = 0;
+    const std::function<bool(double)> callback = [&](double) { return calls++ < allowed; };
+    EXPECT_TRUE(completion.detect_holes(parameters::callback(callback)).empty()) << allowed;
+    EXPECT_TRUE(completion.is_cancelled()) << allowed;
+    EXPECT_EQ(completion.detect_holes().size(), number_of_holes) << allowed;
+  }
 }
 
 // By the paper's policy no hole is done before all are, and a later call goes on from the cells that were filled.

@@ -51,6 +51,18 @@ struct Cell_signature
   typedef Eigen::Matrix<float, size, 1, Eigen::DontAlign> Components;
   Components vector = Components::Zero();
 
+  /// Writes the distance and direction of `f` at `p`, directions along the columns of `axes`.
+  void write(const Local_approximation& f, const Vector& p, double edge, const Matrix& axes, int distance,
+             int direction)
+  {
+    const double d = edge > 0 ? f.distance(p) / edge : 0.;
+    vector[distance] = float((std::min)((std::max)(d, -farthest), farthest));
+    const Vector g = axes.transpose() * f.gradient(p);
+    const double length = g.norm();
+    if(length > 0)
+      vector.segment<3>(direction) = (g / length).cast<float>();
+  }
+
   /// The signature of the cell whose content is this one's, moved by the symmetry.
   Cell_signature transformed(const Cell_symmetry& symmetry) const
   {
@@ -78,26 +90,18 @@ inline Cell_signature cell_signature(const Cell_surface& surface, const Cell& ce
     parent = surface.find(cell);
   const double edge = surface.grid().edge(cell.level);
   const Vector center = surface.grid().center(cell);
-  const auto write = [&](const Local_approximation& f, const Vector& p, int distance, int direction)
-  {
-    const double limit = Cell_signature::farthest;
-    const double d = edge > 0 ? f.distance(p) / edge : 0.;
-    signature.vector[distance] = float((std::min)((std::max)(d, -limit), limit));
-    const Vector g = f.gradient(p);
-    const double length = g.norm();
-    if(length > 0)
-      signature.vector.segment<3>(direction) = (g / length).cast<float>();
-  };
+  const Matrix axes = Matrix::Identity();
   for(std::size_t i = 0; i < 27; ++i)
   {
     const int k = int(i);
     const Cell_offset offset = cell_offset(i);
     const Vector step = edge * Vector(offset[0], offset[1], offset[2]);
-    write(*parent, center + 0.5 * step, Cell_signature::inner_distance + k, Cell_signature::inner_direction + 3 * k);
+    signature.write(*parent, center + 0.5 * step, edge, axes,
+                    Cell_signature::inner_distance + k, Cell_signature::inner_direction + 3 * k);
     const bool exists = cell.has_neighbor(offset);
     const Local_approximation* own = exists ? surface.find(cell.neighbor(offset)) : nullptr;
-    write(own != nullptr ? *own : *parent, center + step,
-          Cell_signature::outer_distance + k, Cell_signature::outer_direction + 3 * k);
+    signature.write(own != nullptr ? *own : *parent, center + step, edge, axes,
+                    Cell_signature::outer_distance + k, Cell_signature::outer_direction + 3 * k);
     signature.vector[Cell_signature::detail + k] = i != own_offset && exists && surface.is_valid(cell.neighbor(offset))
       ? float(surface.tree().subtree_depth(cell.neighbor(offset))) : Cell_signature::undefined_detail;
   }

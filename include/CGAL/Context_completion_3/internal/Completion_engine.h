@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Cancellation.h>
 #include <CGAL/Context_completion_3/internal/Completion_loop.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Example_policy.h>
@@ -80,6 +81,8 @@ public:
     search.mirror = m_parameters.mirror;
     search.number_of_places = m_parameters.number_of_candidates;
     search.alignment = m_parameters.ingredients.alignment;
+    search.signature = m_parameters.ingredients.signature;
+    search.probes = m_parameters.ingredients.probes;
     const Hole_completion<ConcurrencyTag> completion(*m_model, m_sources, search, m_parameters.keep_texture,
                                                      m_parameters.ingredients);
     Example_policy<ConcurrencyTag> policy(*m_map, completion, m_detected, chosen, m_added, m_outcomes);
@@ -111,7 +114,14 @@ private:
   {
     if(callback && !callback(0.))
       return false;
-    m_paper = std::make_unique<Paper_policy>(m_points, m_parameters, spacing());
+    try
+    {
+      m_paper = std::make_unique<Paper_policy>(m_points, m_parameters, spacing(), make_poll(callback, 0.5));
+    }
+    catch(const Cancelled&)
+    {
+      return false;
+    }
     m_holes = m_paper->holes();
     m_outcomes = m_paper->outcomes();
     return !callback || callback(1.);

@@ -14,6 +14,8 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Cancellation.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -35,7 +37,8 @@ namespace internal {
   - `std::size_t number_of_valid_neighbors(const Target&)`: the order of line 6, asked anew after each insertion;
   - `bool is_still_invalid(const Target&)`: void and invalid are dynamic (section 5), so a target is asked again
     when its turn comes;
-  - `Match find_best_match(const Target&)`: line 7; `bool is_found(const Match&)`;
+  - `Match find_best_match(const Target&, const Poll&)`: line 7; if it takes long it calls the poll now and then, before
+    it changes anything; `bool is_found(const Match&)`;
   - `Patch transfer(const Target&, const Match&)`: alignment and warp (section 7);
   - `void insert(const Target&, const Match&, const Patch&)`: lines 8 and 9, accepted or kept as intermediate,
     with the update of the approximations that depend on it;
@@ -56,6 +59,19 @@ public:
   /// Runs the loop. \return whether it ran to its end, `false` if the callback stopped it.
   bool run()
   {
+    try
+    {
+      return run_to_end();
+    }
+    catch(const Cancelled&)
+    {
+      return false;
+    }
+  }
+
+private:
+  bool run_to_end()
+  {
     typedef typename Policy::Target Target;
     for(std::size_t level = m_policy.first_level(); ; ++level)
     {
@@ -64,22 +80,22 @@ public:
       const std::size_t number = targets.size();
       while(!targets.empty())
       {
-        if(!report(level, number - targets.size(), number))
-          return false;
+        const double fraction = m_policy.progress(level, double(number - targets.size()) / double(number));
+        const Poll poll = make_poll(m_callback, fraction);
+        poll();
         const Target target = take_best(targets);
         if(!m_policy.is_still_invalid(target))
           continue;
-        const typename Policy::Match match = m_policy.find_best_match(target);
+        const typename Policy::Match match = m_policy.find_best_match(target, poll);
         if(m_policy.is_found(match))
           m_policy.insert(target, match, m_policy.transfer(target, match));
       }
       m_policy.end_level(level);
       if(m_policy.is_last_level(level))
-        return report(level, 1, 1);
+        return !m_callback || m_callback(m_policy.progress(level, 1.));
     }
   }
 
-private:
   // the most valid neighbours first, the earlier one among equals
   template <typename Target>
   Target take_best(std::vector<Target>& targets) const
@@ -97,11 +113,6 @@ private:
     const Target target = targets[best];
     targets.erase(targets.begin() + static_cast<std::ptrdiff_t>(best));
     return target;
-  }
-
-  bool report(std::size_t level, std::size_t done, std::size_t all) const
-  {
-    return !m_callback || m_callback(m_policy.progress(level, all == 0 ? 1. : double(done) / double(all)));
   }
 
   Policy& m_policy;

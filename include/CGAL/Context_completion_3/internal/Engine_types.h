@@ -78,6 +78,8 @@ struct Added_point
 /// Parts of the default policy that an ablation leaves out one by one.
 struct Ingredients
 {
+  bool signature = true;     ///< the search compares the signatures of cells in the frames of places
+  bool probes = true;        ///< the search compares probes around the hole
   bool alignment = true;     ///< places are aligned to the surroundings of the hole
   bool warp = true;          ///< copies are warped to the rim
   bool averaging = true;     ///< several places may be averaged

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Cancellation.h>
 #include <CGAL/Context_completion_3/internal/Hole_completion.h>
 #include <CGAL/Context_completion_3/internal/Hole_map.h>
 
@@ -144,11 +145,11 @@ public:
     return is_whole(target) || refinement(target).is_open(piece(target));
   }
 
-  Match find_best_match(const Target& target)
+  Match find_best_match(const Target& target, const Poll& poll)
   {
     Match match;
     if(is_whole(target))
-      match.hole = m_completion.find(m_holes[m_chosen[target.chosen]]);
+      match.hole = m_completion.find(m_holes[m_chosen[target.chosen]], poll);
     else
       match.piece = m_progress[target.chosen].refinement->find(piece(target));
     return match;

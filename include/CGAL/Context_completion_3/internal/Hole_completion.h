@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Cancellation.h>
 #include <CGAL/Context_completion_3/internal/Copy_forecast.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
@@ -81,12 +82,12 @@ public:
   /// Places, their reliefs, the forecasts of all plans, and the choice between them. Where the base of a hole bulges,
   /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base
   /// that is to be believed wins over all but another such copy.
-  Match find(const Detected_hole<ConcurrencyTag>& hole) const
+  Match find(const Detected_hole<ConcurrencyTag>& hole, const Poll& poll) const
   {
-    const Match match = find_over(hole.patch);
+    const Match match = find_over(hole.patch, poll);
     if(!hole.stiff)
       return match;
-    const Match stiff = find_over(hole.stiff);
+    const Match stiff = find_over(hole.stiff, poll);
     const bool is_better = match.chosen.belief() == 0 || stiff.chosen.error < match.chosen.error;
     return stiff.chosen.belief() > 0 && is_better ? stiff : match;
   }
@@ -221,12 +222,14 @@ public:
     }
     target.overlap = thinned(overlap, 400);
     target.base = thinned(base, 100);
-    smooth_surroundings(known, target);
+    target.describe_surroundings(known);
+    for(const Base_sample& b : patch.samples())
+      target.surface.push_back(b.position, b.normal);
     return target;
   }
 
 private:
-  Match find_over(const std::shared_ptr<const Patch>& base) const
+  Match find_over(const std::shared_ptr<const Patch>& base, const Poll& poll) const
   {
     Match match;
     match.patch = base;
@@ -234,13 +237,15 @@ private:
     match.sampler = std::make_shared<Relief_sampler<ConcurrencyTag> >(patch, m_sources);
     const Base_family<ConcurrencyTag> family(patch);
     const Match_target target = match_target(m_known, patch);
-    match.places = Place_search<ConcurrencyTag>(m_sources, m_search).search(target);
+    match.places = Place_search<ConcurrencyTag>(m_sources, m_search).search(target, {}, poll);
+    poll();
     match.reliefs.resize(match.places.size());
     for_each_index<ConcurrencyTag>(match.places.size(), [&](std::size_t i)
       { match.reliefs[i] = match.sampler->relief(match.places[i]); });
     const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
                                                                           target.radius, m_ingredients);
     match.forecast = forecast;
+    poll();
     if(!match.places.empty())
       match.best = forecast->match(forecast->ranking().front());
     const std::vector<Plan_forecast> forecasts = forecast->forecasts();

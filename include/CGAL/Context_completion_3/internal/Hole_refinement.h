@@ -286,7 +286,14 @@ private:
     for(const std::pair<double, Match_probe>& probe : overlap)
       target.overlap.push_back(probe.second);
     target.overlap = thinned(target.overlap, 400);
-    smooth_surroundings(m_known, target);
+    target.describe_surroundings(m_known);
+    std::vector<std::size_t> ball;
+    m_sampler->search().in_ball(target.frame.origin, target.reach(), ball);
+    for(std::size_t s : ball)
+    {
+      const Match_probe probe = on_relief(s);
+      target.surface.push_back(probe.position, probe.normal);
+    }
     return target;
   }
 

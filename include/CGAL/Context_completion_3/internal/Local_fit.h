@@ -15,7 +15,6 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Local_approximation.h>
-#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Quadric_fit.h>
 #include <CGAL/Context_completion_3/internal/Sharp_fit.h>
 

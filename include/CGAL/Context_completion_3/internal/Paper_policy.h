@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Box_set.h>
+#include <CGAL/Context_completion_3/internal/Cancellation.h>
 #include <CGAL/Context_completion_3/internal/Cell_candidates.h>
 #include <CGAL/Context_completion_3/internal/Cell_classification.h>
 #include <CGAL/Context_completion_3/internal/Cell_filling.h>
@@ -69,7 +70,9 @@ public:
   static constexpr std::size_t maximum_evaluations = 1000;
 
   /// Builds the trees and fits and detects the holes. \param spacing median distance of nearest neighbours
-  Paper_policy(const Surface_points& points, const Engine_parameters& parameters, double spacing)
+  /// \param poll called between the stages
+  Paper_policy(const Surface_points& points, const Engine_parameters& parameters, double spacing,
+               const Poll& poll = Poll([]() {}))
     : m_parameters(parameters), m_spacing(spacing),
       m_candidates(parameters.cube_symmetries ? full_symmetry_group(parameters.mirror)
                                               : paper_symmetry_group(parameters.mirror), maximum_evaluations)
@@ -79,8 +82,10 @@ public:
     const std::size_t finest = choose_finest_level(points.position, cube);
     m_surface = std::make_shared<Cell_surface>(points, cube, finest, parameters.minimum_cell_points, tolerance,
                                                parameters.support_balls);
+    poll();
     m_classification = std::make_unique<Cell_classification>(*m_surface, Box_quadric_test(parameters.box_subdivision));
-    add_sources(points, rotations_about_axes(parameters.rotation_angles), tolerance);
+    add_sources(points, rotations_about_axes(parameters.rotation_angles), tolerance, poll);
+    poll();
     detect();
   }
 
@@ -160,7 +165,7 @@ public:
     return m_classification->status(target.cell) == Cell_status::invalid;
   }
 
-  Match find_best_match(const Target& target) const
+  Match find_best_match(const Target& target, const Poll&) const
   {
     return m_candidates.find_best(cell_signature(*m_surface, target.cell), m_weights);
   }
@@ -220,7 +225,8 @@ private:
   }
 
   // Candidates come from the set itself, from rotated copies, and from example sets with theirs.
-  void add_sources(const Surface_points& points, const std::vector<Matrix>& rotations, double tolerance)
+  void add_sources(const Surface_points& points, const std::vector<Matrix>& rotations, double tolerance,
+                   const Poll& poll)
   {
     Candidate_source own;
     own.surface = m_surface;
@@ -232,7 +238,10 @@ private:
       if(set > 0)
         add_source(original, Matrix::Identity(), set, tolerance);
       for(const Matrix& rotation : rotations)
+      {
+        poll();
         add_source(original, rotation, set, tolerance);
+      }
     }
   }
 

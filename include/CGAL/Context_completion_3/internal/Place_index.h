@@ -20,6 +20,7 @@
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Place_descriptor.h>
 #include <CGAL/Context_completion_3/internal/Place_shortlist.h>
+#include <CGAL/Context_completion_3/internal/Place_signature.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
@@ -34,9 +35,9 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  The places of one source that holes of some radius are compared with: frames spread over its surface, a grid for
-  coarse scores, and, on surfaces that are large against the hole, a shortlist by descriptors. Holes of the same radius
-  share it.
+  The places of one source that holes of some radius are compared with: frames spread over its surface, their
+  signatures, a grid for coarse scores, and, on surfaces that are large against the hole, a shortlist by descriptors.
+  Holes of the same radius share it.
 */
 template <typename ConcurrencyTag>
 class Place_index
@@ -54,7 +55,8 @@ public:
   */
   Place_index(const Model& model, double radius, double spacing, std::size_t number_of_places)
     : m_radius(radius), m_spacing(spacing), m_number_of_places(number_of_places),
-      m_tau((std::max)(3 * spacing, 0.12 * radius))
+      m_tau((std::max)(3 * spacing, 0.12 * radius)),
+      m_signatures(model.points(), radius, spacing)
   {
     const double voxel = (std::max)(0.7 * spacing, 0.05 * radius);
     m_grid = std::make_unique<Nearest_point_grid>(model.points(), voxel, int(std::ceil(m_tau / voxel)) + 1);
@@ -74,18 +76,39 @@ public:
 
   const Nearest_point_grid& grid() const { return *m_grid; }
 
-  /// Of more places than are to be tried, those whose surroundings resemble those of the hole.
-  std::vector<Surface_frame> frames(const Surface_frame& frame, const std::vector<Smoothed_place>& around) const
+  /// The places that are to be compared with a hole: all, or, of more than are to be tried, those whose surroundings
+  /// resemble its own.
+  std::vector<std::size_t> candidates(const Surface_frame& frame, const std::vector<Smoothed_place>& around) const
   {
-    std::vector<Surface_frame> frames;
     if(m_shortlist)
-      for(std::size_t k : m_shortlist->nearest(described(frame, around), m_number_of_places))
-        frames.push_back(m_places[k].frame);
-    else
-      for(const Smoothed_place& place : m_places)
-        frames.push_back(place.frame);
-    return frames;
+      return m_shortlist->nearest(described(frame, around), m_number_of_places);
+    std::vector<std::size_t> all(m_places.size());
+    for(std::size_t k = 0; k < all.size(); ++k)
+      all[k] = k;
+    return all;
   }
+
+  const Surface_frame& frame(std::size_t place) const { return m_places[place].frame; }
+
+  /// Makes the signatures of some places, unless they are there already.
+  void sign(const std::vector<std::size_t>& places)
+  {
+    std::vector<std::size_t> unsigned_places;
+    std::vector<Surface_frame> frames;
+    m_signature_of.resize(m_places.size());
+    for(std::size_t place : places)
+      if(!m_signature_of[place])
+      {
+        unsigned_places.push_back(place);
+        frames.push_back(m_places[place].frame);
+      }
+    const std::vector<Cell_signature> made = m_signatures.signatures<ConcurrencyTag>(frames);
+    for(std::size_t i = 0; i < made.size(); ++i)
+      m_signature_of[unsigned_places[i]] = std::make_unique<const Cell_signature>(made[i]);
+  }
+
+  /// \pre the place was signed
+  const Cell_signature& signature(std::size_t place) const { return *m_signature_of[place]; }
 
 private:
   Place_descriptor described(const Surface_frame& frame, const std::vector<Smoothed_place>& around) const
@@ -148,6 +171,8 @@ private:
   double m_radius, m_spacing;
   std::size_t m_number_of_places;
   double m_tau;
+  Place_signatures m_signatures;
+  std::vector<std::unique_ptr<const Cell_signature> > m_signature_of;   // of those places that were compared
   std::unique_ptr<Nearest_point_grid> m_grid;
   std::vector<Smoothed_place> m_places;      // smoothed: their frames must be those of the base, not of its detail
   std::unique_ptr<Place_shortlist> m_shortlist;
