@@ -15,6 +15,7 @@
 
 #include <CGAL/Context_completion_3/internal/Hole_completion.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Place_ranking.h>
 #include <CGAL/Context_completion_3/internal/Place_search.h>
 #include <CGAL/Context_completion_3/internal/Place_signature.h>
@@ -69,9 +70,25 @@ Surface_frame frame_at(const Surface_points& points, std::size_t i, double angle
   return frame.turned(angle);
 }
 
+/// Signatures with all points for the coarse ones, too.
+struct All_signatures
+{
+  All_signatures(const Surface_points& points, double radius, double spacing)
+    : search(points.position), signatures(points, search, points, radius, spacing)
+  {}
+
+  std::vector<Cell_signature> operator()(const std::vector<Surface_frame>& frames)
+  {
+    return signatures.signatures<Tag>(frames);
+  }
+
+  Neighbor_search search;
+  Place_signatures signatures;
+};
+
 Cell_signature signature(const Surface_points& points, const Surface_frame& frame)
 {
-  return Place_signatures(points, radius, 1.).signatures<Tag>({ frame }).front();
+  return All_signatures(points, radius, 1.)({ frame }).front();
 }
 
 double largest_difference(const Cell_signature& a, const Cell_signature& b)
@@ -175,13 +192,13 @@ TEST(Place_signature, Tells_places_of_a_repeat_from_others)
   const Surface_points surface = samples::engine_points(samples::bumpy_plane(130, 1., period, 4.));
   const Neighbor_search search(surface.position);
   const std::size_t here = search.nearest(Vector(52, 46, 0)).first;
-  Place_signatures signatures(surface, radius, 1.);
+  All_signatures signatures(surface, radius, 1.);
   const auto distance = [&](const Vector& there)
   {
     Surface_frame a, b;
     a.origin = surface.position[here];
     b.origin = surface.position[search.nearest(there).first];
-    const std::vector<Cell_signature> both = signatures.signatures<Tag>({ a, b });
+    const std::vector<Cell_signature> both = signatures({ a, b });
     return signature_distance(both[0], both[1], Signature_weights());
   };
   const Vector p = surface.position[here];
@@ -196,7 +213,7 @@ TEST(Place_signature, Counts_the_levels_that_detail_needs)
                        flat = samples::engine_points(samples::plane(120, 0.5));
   const auto deepest = [](const Surface_points& points)
   {
-    const Cell_signature found = Place_signatures(points, radius, 0.5).signatures<Tag>(
+    const Cell_signature found = All_signatures(points, radius, 0.5)(
       { frame_at(points, middle_of(points), 0.) }).front();
     return found.vector.segment<27>(Cell_signature::detail).maxCoeff();
   };
@@ -210,12 +227,12 @@ TEST(Place_signature, Does_not_depend_on_what_was_asked_before)
   std::vector<Surface_frame> frames;
   for(std::size_t i = 5; i < surface.size(); i += 97)
     frames.push_back(frame_at(surface, i, 0.1 * double(i)));
-  Place_signatures together(surface, radius, 1.);
-  const std::vector<Cell_signature> all = together.signatures<Tag>(frames);
+  All_signatures together(surface, radius, 1.);
+  const std::vector<Cell_signature> all = together(frames);
   for(std::size_t i = 0; i < frames.size(); ++i)
   {
     EXPECT_EQ(largest_difference(all[i], signature(surface, frames[i])), 0.) << i;
-    EXPECT_EQ(largest_difference(all[i], together.signatures<Tag>({ frames[i] }).front()), 0.) << i;
+    EXPECT_EQ(largest_difference(all[i], together({ frames[i] }).front()), 0.) << i;
   }
 }
 
@@ -231,8 +248,8 @@ TEST(Place_ranking, By_signature_equals_exhaustive_comparison)
   const std::vector<std::size_t> candidates = index.candidates(target.frame, target.around);
   ASSERT_EQ(ranking.size(), 3 * candidates.size());
   ASSERT_GT(candidates.size(), 100u);
-  Place_signatures around(target.surface, target.radius, target.spacing),
-                   source(points, target.radius, target.spacing);
+  All_signatures around(target.surface, target.radius, target.spacing);
+  Place_signatures source(points, model.search(), index.coarse(), target.radius, target.spacing);
   for(std::size_t c = 0; c < candidates.size(); c += 7)
   {
     const Surface_frame& place = index.frame(candidates[c]);
@@ -245,7 +262,7 @@ TEST(Place_ranking, By_signature_equals_exhaustive_comparison)
         Cell_signature there = source.signatures<Tag>({ place }).front();
         if(mirrored == 1)
           there = there.transformed(Place_signatures::mirror());
-        const double distance = signature_distance(around.signatures<Tag>({ turned }).front(), there,
+        const double distance = signature_distance(around({ turned }).front(), there,
                                                    Signature_weights());
         if(distance < best - 1e-9)
         {

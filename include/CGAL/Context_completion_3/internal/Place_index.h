@@ -55,8 +55,7 @@ public:
   */
   Place_index(const Model& model, double radius, double spacing, std::size_t number_of_places)
     : m_radius(radius), m_spacing(spacing), m_number_of_places(number_of_places),
-      m_tau((std::max)(3 * spacing, 0.12 * radius)),
-      m_signatures(model.points(), radius, spacing)
+      m_tau((std::max)(3 * spacing, 0.12 * radius))
   {
     const double voxel = (std::max)(0.7 * spacing, 0.05 * radius);
     m_grid = std::make_unique<Nearest_point_grid>(model.points(), voxel, int(std::ceil(m_tau / voxel)) + 1);
@@ -64,6 +63,9 @@ public:
     m_places.resize(chosen.size());
     for_each_index<ConcurrencyTag>(chosen.size(), [&](std::size_t k)
       { m_places[k] = smoothed_place(model, model.position(chosen[k]), model.normal(chosen[k]), smoothing(radius)); });
+    for(std::size_t i : chosen)
+      m_coarse.push_back(model.position(i), model.normal(i));
+    m_signatures = std::make_unique<Place_signatures>(model.points(), model.search(), m_coarse, radius, spacing);
     if(m_places.size() > number_of_places)
       describe_places();
   }
@@ -75,6 +77,9 @@ public:
   double tau() const { return m_tau; }
 
   const Nearest_point_grid& grid() const { return *m_grid; }
+
+  /// The points that the places were made of.
+  const Surface_points& coarse() const { return m_coarse; }
 
   /// The places that are to be compared with a hole: all, or, of more than are to be tried, those whose surroundings
   /// resemble its own.
@@ -102,7 +107,7 @@ public:
         unsigned_places.push_back(place);
         frames.push_back(m_places[place].frame);
       }
-    const std::vector<Cell_signature> made = m_signatures.signatures<ConcurrencyTag>(frames);
+    const std::vector<Cell_signature> made = m_signatures->template signatures<ConcurrencyTag>(frames);
     for(std::size_t i = 0; i < made.size(); ++i)
       m_signature_of[unsigned_places[i]] = std::make_unique<const Cell_signature>(made[i]);
   }
@@ -171,7 +176,8 @@ private:
   double m_radius, m_spacing;
   std::size_t m_number_of_places;
   double m_tau;
-  Place_signatures m_signatures;
+  Surface_points m_coarse;
+  std::unique_ptr<Place_signatures> m_signatures;
   std::vector<std::unique_ptr<const Cell_signature> > m_signature_of;   // of those places that were compared
   std::unique_ptr<Nearest_point_grid> m_grid;
   std::vector<Smoothed_place> m_places;      // smoothed: their frames must be those of the base, not of its detail

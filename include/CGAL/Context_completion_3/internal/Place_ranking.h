@@ -19,6 +19,7 @@
 #include <CGAL/Context_completion_3/internal/Match_target.h>
 #include <CGAL/Context_completion_3/internal/Motion.h>
 #include <CGAL/Context_completion_3/internal/Nearest_point_grid.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Overlap_alignment.h>
 #include <CGAL/Context_completion_3/internal/Place_index.h>
 #include <CGAL/Context_completion_3/internal/Place_signature.h>
@@ -74,7 +75,8 @@ public:
 
   std::vector<Place_hypothesis> by_signature() const
   {
-    Place_signatures around(m_target.surface, m_target.radius, m_target.spacing);
+    const Neighbor_search search(m_target.surface.position);
+    Place_signatures around(m_target.surface, search, m_target.surface, m_target.radius, m_target.spacing);
     // a place reflected, compared with the target, is the place compared with the target reflected
     std::vector<Cell_signature> wanted = around.template signatures<ConcurrencyTag>(m_turned);
     for(std::size_t t = 0; t < m_turned.size() && m_mirror; ++t)

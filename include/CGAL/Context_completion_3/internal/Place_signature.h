@@ -21,6 +21,7 @@
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Local_fit.h>
 #include <CGAL/Context_completion_3/internal/Motion.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Support_ball_fits.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
@@ -29,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,8 +39,8 @@ namespace internal {
 
 /*!
   Signatures (paper, section 6.1) in the frames of places: of a cell that is centred at the place and whose third axis
-  is the normal there. They have the 243 components of a `Cell_signature`, so equations 1 to 3 compare them. What a cell of
-  the tree would look up is found so:
+  is the normal there. They have the 243 components of a `Cell_signature`, so equations 1 to 3 compare them. What a cell
+  of the tree would look up is found so:
   - the parent is a cell of twice the edge at the same centre;
   - an adjacent cell has an approximation of its own if the point nearest to its centre lies in it;
   - its depth is the number of times that a cell at this point, halved again and again, misses half a spacing.
@@ -46,15 +48,29 @@ namespace internal {
 class Place_signatures
 {
 public:
-  /// \param radius of the hole that the cells just hold, positive \param spacing of the points
-  Place_signatures(const Surface_points& surface, double radius, double spacing)
+  /*!
+    \param surface, search all points, kept by reference
+    \param coarse points of the surface at about an eighth of the edge of a cell, or more: approximations of large cells
+           do without the others
+    \param radius of the hole that the cells just hold, positive \param spacing of all points
+  */
+  Place_signatures(const Surface_points& surface, const Neighbor_search& search, const Surface_points& coarse,
+                   double radius, double spacing)
     : m_tolerance(0.5 * spacing)
   {
-    const Surface_points* points = &surface;
-    m_levels.resize(number_of_levels);
-    for(std::size_t level = number_of_levels; level-- > 0; points = &m_levels[level].points())
-      m_levels[level] = Support_ball_fits(*points, std::ldexp(4 * radius, -int(level)), 0.8 * spacing);
+    const double edge = 2 * radius;
+    m_thinned.reserve(own + 1);                  // the levels refer to what is in it
+    for(std::size_t level = 0; level <= own; ++level)
+      m_thinned.emplace_back(thinned_surface(coarse, edge_of(level, edge) / 8));
+    for(std::size_t level = 0; level < number_of_levels; ++level)
+      if(level <= own)
+        m_levels.emplace_back(m_thinned[level].points, m_thinned[level].search, edge_of(level, edge));
+      else
+        m_levels.emplace_back(surface, search, edge_of(level, edge));
   }
+
+  Place_signatures(const Place_signatures&) = delete;
+  Place_signatures& operator=(const Place_signatures&) = delete;
 
   /// How far from a place its signature looks: to the corner of the farthest cell, and a support ball from there.
   static double reach(double radius) { return 8 * radius; }
@@ -95,6 +111,15 @@ private:
     std::size_t parent = 0;
     std::array<Adjacent_points, 27> adjacent;
   };
+
+  struct Thinned
+  {
+    explicit Thinned(Surface_points thinned) : points(std::move(thinned)), search(points.position) {}
+    Surface_points points;
+    Neighbor_search search;
+  };
+
+  static double edge_of(std::size_t level, double own_edge) { return std::ldexp(own_edge, int(own) - int(level)); }
 
   static Matrix axes(const Surface_frame& frame)
   {
@@ -162,6 +187,7 @@ private:
   }
 
   double m_tolerance;
+  std::vector<Thinned> m_thinned;
   std::vector<Support_ball_fits> m_levels;       // from the parent of the cells downwards
 };
 
