@@ -14,11 +14,13 @@
 #include "include/surface_samples.h"
 
 #include <CGAL/context_complete.h>
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace samples = Test_surfaces;
@@ -60,6 +62,18 @@ TEST_P(Parallel_completion, Equals_the_sequential_one_bit_for_bit)
   EXPECT_FALSE(sequential.empty());
   expect_same(sequential, completed<CGAL::Parallel_if_available_tag>(GetParam()));
   expect_same(sequential, completed<CGAL::Sequential_tag>(GetParam()));
+}
+
+TEST_P(Parallel_completion, Of_a_range_equals_the_sequential_one_bit_for_bit)
+{
+  typedef std::pair<samples::Point, samples::Vector> Pair;
+  const auto maps = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Pair>()).
+                    normal_map(CGAL::Second_of_pair_property_map<Pair>());
+  samples::Samples sequential, parallel;
+  CGAL::context_complete<CGAL::Sequential_tag>(GetParam(), std::back_inserter(sequential), maps);
+  CGAL::context_complete<CGAL::Parallel_if_available_tag>(GetParam(), std::back_inserter(parallel), maps);
+  EXPECT_FALSE(sequential.empty());
+  EXPECT_EQ(sequential, parallel);
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, Parallel_completion, ::testing::Values(
