@@ -236,6 +236,22 @@ TEST(Place_signature, Does_not_depend_on_what_was_asked_before)
   }
 }
 
+TEST(Place_index, Weights_of_signatures_rise_towards_the_finest_level)
+{
+  const Surface_points points = samples::engine_points(samples::plane(80));
+  const Model model(points);
+  double last = 0.3;
+  for(const double hole : { 20., 10., 5., 3. })
+  {
+    const Signature_weights weights = Place_index<Tag>(model, hole, 1., 100).weights();
+    EXPECT_GT(weights.inner, last) << hole;
+    last = weights.inner;
+  }
+  EXPECT_LT(last, 0.7);
+  EXPECT_EQ(Place_index<Tag>(model, 1., 1., 100).weights().inner, 0.7) << "cells of less than four spacings";
+  EXPECT_EQ(Place_index<Tag>(model, 100., 1., 100).weights().inner, 0.3) << "cells larger than the surface";
+}
+
 TEST(Place_ranking, By_signature_equals_exhaustive_comparison)
 {
   const Surface_points points = samples::engine_points(
@@ -263,7 +279,7 @@ TEST(Place_ranking, By_signature_equals_exhaustive_comparison)
         if(mirrored == 1)
           there = there.transformed(Place_signatures::mirror());
         const double distance = signature_distance(around({ turned }).front(), there,
-                                                   Signature_weights());
+                                                   index.weights());
         if(distance < best - 1e-9)
         {
           best = distance;

@@ -117,10 +117,11 @@ struct Signature_weights
 
   /// w_i rises from 0.3 at the root to 0.7 at the finest level: "we increase w_i with the decreasing distance to the
   /// maximum depth".
-  static Signature_weights of_level(std::size_t level, std::size_t finest)
+  static Signature_weights of_level(double level, double finest)
   {
     Signature_weights weights;
-    weights.inner = 0.3 + 0.4 * (finest == 0 ? 1. : double(level) / double(finest));
+    const double share = finest > 0 ? level / finest : 1.;
+    weights.inner = 0.3 + 0.4 * (std::min)(1., (std::max)(0., share));
     return weights;
   }
 };

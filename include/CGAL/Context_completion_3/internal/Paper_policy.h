@@ -124,7 +124,7 @@ public:
   void begin_level(std::size_t level)
   {
     m_candidates.begin_level(level);
-    m_weights = Signature_weights::of_level(level, finest_level());
+    m_weights = Signature_weights::of_level(double(level), double(finest_level()));
   }
 
   std::vector<Target> find_invalid(std::size_t level)

@@ -24,6 +24,8 @@
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -66,9 +68,18 @@ public:
     for(std::size_t i : chosen)
       m_coarse.push_back(model.position(i), model.normal(i));
     m_signatures = std::make_unique<Place_signatures>(model.points(), model.search(), m_coarse, radius, spacing);
+    Eigen::AlignedBox3d box;
+    for(const Vector& p : m_coarse.position)
+      box.extend(p);
+    const double root = box.sizes().maxCoeff();
+    m_weights = Signature_weights::of_level(std::log2(root / (2 * radius)), std::log2(root / (4 * spacing)));
     if(m_places.size() > number_of_places)
       describe_places();
   }
+
+  /// Weights of signatures by the level on which the cells of a tree would be as large as those of the places; the
+  /// cells of the finest level would be four spacings wide.
+  Signature_weights weights() const { return m_weights; }
 
   double radius() const { return m_radius; }
   double spacing() const { return m_spacing; }
@@ -177,6 +188,7 @@ private:
   std::size_t m_number_of_places;
   double m_tau;
   Surface_points m_coarse;
+  Signature_weights m_weights;
   std::unique_ptr<Place_signatures> m_signatures;
   std::vector<std::unique_ptr<const Cell_signature> > m_signature_of;   // of those places that were compared
   std::unique_ptr<Nearest_point_grid> m_grid;

@@ -82,7 +82,7 @@ public:
     for(std::size_t t = 0; t < m_turned.size() && m_mirror; ++t)
       wanted.push_back(wanted[t].transformed(Place_signatures::mirror()));
     m_index.sign(m_candidates);
-    const Signature_weights weights;
+    const Signature_weights weights = m_index.weights();
     return best_turns([&](std::size_t candidate, std::size_t turn, bool mirrored)
       { return signature_distance(wanted[mirrored ? m_turned.size() + turn : turn], m_index.signature(candidate),
                                   weights); });
