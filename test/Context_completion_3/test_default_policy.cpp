@@ -162,6 +162,12 @@ std::vector<Hole_data> detected(const samples::Samples& surface, const Engine_pa
   return engine.holes();
 }
 
+std::size_t number_of_holes(const std::vector<Hole_data>& detected)
+{
+  return std::size_t(std::count_if(detected.begin(), detected.end(),
+                                   [](const Hole_data& h) { return h.state == Hole_state::hole; }));
+}
+
 // The hole that is no outer border next to `center`.
 Hole_state state_at(const std::vector<Hole_data>& holes, const Vector& center)
 {
@@ -255,6 +261,35 @@ TEST(Default_policy, Diameters_set_the_state)
   parameters.maximum_hole_diameter = 10.5;
   EXPECT_EQ(state_at(detected(sheet, parameters), small), Hole_state::hole);
   EXPECT_EQ(state_at(detected(sheet, parameters), large), Hole_state::too_large);
+}
+
+TEST(Default_policy, A_sampling_that_thins_out_is_no_hole)
+{
+  for(const double slope : { 0.2, 0.4 })
+    for(const unsigned int seed : { 1u, 2u })
+    {
+      // towards the middle the distance of points grows from 1 to 5 or 7
+      const samples::Samples sheet = samples::thinning_plane(60., [=](double x, double y) {
+        return (std::min)(7., 1 + (std::max)(0., slope * (21 - std::hypot(x - 30, y - 30)))); }, seed);
+      EXPECT_EQ(number_of_holes(detected(sheet, Engine_parameters())), 0u) << slope << ", " << seed;
+      if(slope > 0.3)
+        continue;
+      // what is cut out of the sparse part is one
+      for(const double radius : { 12., 14., 16. })
+      {
+        const samples::Samples cut = samples::without_ball(sheet, samples::Point(30, 30, 0), radius);
+        EXPECT_EQ(number_of_holes(detected(cut, Engine_parameters())), 1u) << radius << ", " << seed;
+      }
+    }
+}
+
+TEST(Default_policy, Stray_points_do_not_hide_a_hole)
+{
+  samples::Samples sheet = samples::without_ball(samples::plane(48), samples::Point(24, 24, 0), 9.);
+  for(int i = 0; i < 5; ++i)
+    sheet.emplace_back(samples::Point(24 + 4 * std::cos(1.3 * i), 24 + 4 * std::sin(1.3 * i), 0),
+                       samples::Vector(0, 0, 1));
+  EXPECT_EQ(number_of_holes(detected(sheet, Engine_parameters())), 1u);
 }
 
 TEST(Default_policy, Regions_set_the_state)

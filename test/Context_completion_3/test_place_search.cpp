@@ -13,6 +13,7 @@
 // exhaustive one.
 
 #include "include/engine_samples.h"
+#include "include/search_target.h"
 
 #include <CGAL/Context_completion_3/internal/Hole_completion.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
@@ -73,18 +74,6 @@ Source source(const samples::Samples& surface, std::size_t set = 0)
   result.points = std::make_shared<Surface_points>(samples::engine_points(surface));
   result.model = std::make_shared<Model>(*result.points);
   return result;
-}
-
-// What the engine looks for at the only hole of a sheet.
-Match_target target_of(const Model& model)
-{
-  std::vector<Detected_hole<Tag> > holes;
-  EXPECT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
-  for(const Detected_hole<Tag>& h : holes)
-    if(!h.is_outer_border)
-      return Hole_completion<Tag>::match_target(model, *h.patch);
-  ADD_FAILURE() << "no hole";
-  return Match_target();
 }
 
 double largest_difference(const Motion& a, const Motion& b, const std::vector<Vector>& points)
@@ -205,7 +194,7 @@ TEST(Place_search, Is_as_good_as_an_exhaustive_search)
   const std::vector<Source> sources(1, source(
     samples::without_ball(samples::bumpy_plane(60, 1., period, bump), samples::Point(29, 31, 0), 4.)));
   const Model& model = *sources.front().model;
-  const Match_target target = target_of(model);
+  const Match_target target = samples::target_of(model);
   const std::vector<Place> found = Place_search<Tag>(sources, Search_settings()).search(target);
   ASSERT_FALSE(found.empty());
   const Overlap_alignment<Tag> alignment(model, nullptr);
@@ -363,7 +352,7 @@ TEST(Place_search, Shortlist_keeps_the_only_twin_on_a_surface_that_is_large_agai
     return std::make_pair((height(x + step, y) - height(x - step, y)) / (2 * step),
                           (height(x, y + step) - height(x, y - step)) / (2 * step)); });
   const std::vector<Source> sources(1, source(samples::without_ball(sheet, samples::Point(35, 40, 1), 6.)));
-  const Match_target target = target_of(*sources.front().model);
+  const Match_target target = samples::target_of(*sources.front().model);
   Search_settings settings;
   settings.number_of_places = 60;    // spread evenly they are three hole radii apart
   const std::vector<Place> found = Place_search<Tag>(sources, settings).search(target);
@@ -375,7 +364,7 @@ TEST(Place_search, Shortlist_keeps_the_only_twin_on_a_surface_that_is_large_agai
 TEST(Place_search, Mirrors_only_when_allowed)
 {
   const Source holed = source(samples::without_ball(chiral_sheet(48, 1), samples::Point(24, 24, 0), 5.));
-  const Match_target target = target_of(*holed.model);
+  const Match_target target = samples::target_of(*holed.model);
   const std::vector<Source> sources(1, source(mirrored(chiral_sheet(48, 5)), 1));
   Search_settings settings;
   const std::vector<Place> with = Place_search<Tag>(sources, settings).search(target);
@@ -395,7 +384,7 @@ TEST(Place_search, Mirrors_only_when_allowed)
 TEST(Place_search, Finds_the_place_in_the_right_source)
 {
   const Source holed = source(samples::without_ball(chiral_sheet(48, 1), samples::Point(24, 24, 0), 5.));
-  const Match_target target = target_of(*holed.model);
+  const Match_target target = samples::target_of(*holed.model);
   const std::vector<Source> sources = { source(samples::plane(40), 1), source(chiral_sheet(48, 5), 2),
                                         source(samples::Samples(), 3) };
   const std::vector<Place> found = Place_search<Tag>(sources, Search_settings()).search(target);

@@ -12,6 +12,7 @@
 // Signatures in the frames of places (sections 6.1 and 6.2), and the first round of a search, which goes by them.
 
 #include "include/engine_samples.h"
+#include "include/search_target.h"
 
 #include <CGAL/Context_completion_3/internal/Hole_completion.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
@@ -102,17 +103,6 @@ std::size_t middle_of(const Surface_points& points)
   for(const Vector& p : points.position)
     mean += p / double(points.size());
   return Neighbor_search(points.position).nearest(mean).first;
-}
-
-Match_target target_of(const Model& model)
-{
-  std::vector<Detected_hole<Tag> > holes;
-  EXPECT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
-  for(const Detected_hole<Tag>& hole : holes)
-    if(!hole.is_outer_border)
-      return Hole_completion<Tag>::match_target(model, *hole.patch);
-  ADD_FAILURE() << "no hole";
-  return Match_target();
 }
 
 } // namespace
@@ -257,7 +247,7 @@ TEST(Place_ranking, By_signature_equals_exhaustive_comparison)
   const Surface_points points = samples::engine_points(
     samples::without_ball(samples::bumpy_plane(48, 1., 12., 1.5), samples::Point(24, 24, 0), 5.));
   const Model model(points);
-  const Match_target target = target_of(model);
+  const Match_target target = samples::target_of(model);
   const std::size_t turns = 6;
   Place_index<Tag> index(model, target.radius, target.spacing, 2000);
   const std::vector<Place_hypothesis> ranking = Place_ranking<Tag>(model, index, target, turns, true).by_signature();
@@ -299,7 +289,7 @@ TEST(Place_search, Finds_a_twin_by_each_judge_alone)
   sources[0].points = std::make_shared<Surface_points>(samples::engine_points(
     samples::without_ball(samples::bumpy_plane(70, 1., period, 1.5), samples::Point(35, 35, 0), 6.)));
   sources[0].model = std::make_shared<Model>(*sources[0].points);
-  const Match_target target = target_of(*sources[0].model);
+  const Match_target target = samples::target_of(*sources[0].model);
   for(const bool by_signature : { false, true })
   {
     Search_settings settings;

@@ -582,7 +582,6 @@ TEST_F(Program, What_the_faces_of_a_mesh_cover_is_no_hole)
   EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
 }
 
-// The vertices of the bunny alone have two holes: triangles of its underside are forty spacings wide.
 TEST_F(Program, Complete_meshes_come_back_with_nothing_added)
 {
   const char* data = std::getenv("CGAL_DATA_DIR");

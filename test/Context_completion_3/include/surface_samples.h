@@ -78,6 +78,26 @@ inline Samples plane(std::size_t rows, double spacing = 1., double jitter = 0.15
                [](double, double) { return std::make_pair(0., 0.); }, jitter, seed);
 }
 
+/// A flat sheet [0, width]^2 whose points are `distance(x, y)` apart from those before them.
+inline Samples thinning_plane(double width, const std::function<double(double, double)>& distance,
+                              unsigned int seed = 1)
+{
+  Random_offsets offset(seed);
+  Samples samples;
+  for(int dart = 0; dart < 12 * int(width * width); ++dart)
+  {
+    const double x = (1 + offset()) / 2 * width;
+    const double y = (1 + offset()) / 2 * width;
+    const double room = distance(x, y);
+    bool is_free = true;
+    for(std::size_t i = 0; i < samples.size() && is_free; ++i)
+      is_free = CGAL::squared_distance(samples[i].first, Point(x, y, 0)) >= room * room;
+    if(is_free)
+      samples.emplace_back(Point(x, y, 0), Vector(0, 0, 1));
+  }
+  return samples;
+}
+
 /// An egg box: bumps of the given height that repeat with the given period in x and y.
 inline Samples bumpy_plane(std::size_t rows, double spacing, double period, double bump, double jitter = 0.15,
                            unsigned int seed = 1)

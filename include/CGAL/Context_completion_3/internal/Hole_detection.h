@@ -17,6 +17,7 @@
 #include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Message.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
@@ -58,7 +59,7 @@ struct Detected_hole
 /*!
   Joins loops to holes. A hole is a set of rims whose common smooth base ends at them everywhere and is not covered by
   points; a rim whose base runs away is an outer border of the surface; a rim whose base is covered is no rim at all
-  (sharp edges raise many).
+  (sharp edges and a sampling that thins out raise many).
 */
 template <typename ConcurrencyTag>
 class Hole_detection
@@ -131,7 +132,7 @@ private:
                        const std::vector<std::size_t>& group)
   {
     grouping.use(group);
-    if(!is_evident(*patch))
+    if(!is_evident(*patch) || is_sparse(*patch))
       return false;
     Hole hole;
     hole.loops = patch->loops();
@@ -194,6 +195,31 @@ private:
   {
     return patch.number_of_uncovered() >= 4 && patch.rim().size() >= fewest_rim_points() &&
            double(patch.rim().size()) * patch.spacing() >= patch.diameter();
+  }
+
+  // The points thin out, and what the base finds uncovered is covered by points that are farther from each other than
+  // those of the rim, as on the flat parts of an adaptive mesh. Such a point covers as much as one of the rim does, in
+  // its own spacing, which is a median around it: stray points in a hole have the spacing of its rim.
+  static bool is_sparse(const Patch& patch)
+  {
+    const Model& model = patch.surroundings()->model();
+    const double sparse = 1.25 * patch.spacing();
+    std::size_t bare = 0, uncovered = 0;
+    std::vector<Neighbor_search::Neighbor> near;
+    for(const Base_sample& s : patch.samples())
+    {
+      if(!s.is_uncovered)
+        continue;
+      ++uncovered;
+      model.search().k_nearest(s.position, 12, near);
+      bare += std::none_of(near.begin(), near.end(), [&](const Neighbor_search::Neighbor& n)
+      {
+        const double spacing = model.spacing(n.first);
+        return spacing > sparse && n.second < Patch::covering() * spacing &&
+               is_same_side(s.normal, model.normal(n.first));
+      });
+    }
+    return 2 * bare < uncovered;
   }
 
   static std::size_t fewest_rim_points() { return 8; }

@@ -21,8 +21,8 @@
 #include <CGAL/Context_completion_3/internal/Place_descriptor.h>
 #include <CGAL/Context_completion_3/internal/Place_shortlist.h>
 #include <CGAL/Context_completion_3/internal/Place_signature.h>
-#include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
+#include <CGAL/Context_completion_3/internal/Thinned_points.h>
 
 #include <Eigen/Geometry>
 
@@ -161,20 +161,7 @@ private:
     double distance = (std::max)(1.5 * m_spacing, 0.15 * m_radius);
     for(;;)
     {
-      std::vector<std::size_t> chosen;
-      Point_grid grid(distance);
-      for(std::size_t i = 0; i < model.size(); ++i)
-      {
-        bool is_free = true;
-        grid.for_each_in_ball(model.position(i), distance, [&](std::size_t c, double) {
-          is_free = !is_same_side(model.normal(i), model.normal(chosen[c]));
-          return is_free; });
-        if(is_free)
-        {
-          grid.insert(model.position(i));
-          chosen.push_back(i);
-        }
-      }
+      const std::vector<std::size_t> chosen = thinned_points(model.points(), distance);
       // the shortlist has a price, too: so many places are described for each that is tried
       const std::size_t most = (distance < farthest ? 1 : 30) * m_number_of_places;
       if(chosen.size() <= most)

@@ -24,6 +24,7 @@
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Support_ball_fits.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
+#include <CGAL/Context_completion_3/internal/Thinned_points.h>
 
 #include <Eigen/Geometry>
 

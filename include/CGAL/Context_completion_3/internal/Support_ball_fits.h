@@ -17,7 +17,6 @@
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Local_fit.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
-#include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <cstddef>
@@ -27,25 +26,6 @@
 namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
-
-/// Points of a surface that are as far apart as asked for, unless they lie on different sides; by increasing index.
-inline Surface_points thinned_surface(const Surface_points& surface, double distance)
-{
-  Surface_points result;
-  Point_grid grid(distance);
-  for(std::size_t i = 0; i < surface.size(); ++i)
-  {
-    bool is_free = true;
-    grid.for_each_in_ball(surface.position[i], distance, [&](std::size_t j, double) {
-      is_free = !is_same_side(surface.normal[i], result.normal[j]);
-      return is_free; });
-    if(!is_free)
-      continue;
-    grid.insert(surface.position[i]);
-    result.push_back(surface.position[i], surface.normal[i]);
-  }
-  return result;
-}
 
 /*!
   Local approximations (paper, sections 3 and 4) on support balls instead of in the cells of a tree: for cells of one
