@@ -197,26 +197,25 @@ private:
            double(patch.rim().size()) * patch.spacing() >= patch.diameter();
   }
 
-  // The points thin out, and what the base finds uncovered is covered by points that are farther from each other than
-  // those of the rim, as on the flat parts of an adaptive mesh. Such a point covers as much as one of the rim does, in
-  // its own spacing, which is a median around it: stray points in a hole have the spacing of its rim.
+  // The points thin out, and what the base finds uncovered is near points that are much farther from each other than
+  // those of the rim, as on the flat parts of an adaptive mesh. The spacing of a point is a median around it: stray
+  // points in a hole have that of its rim.
   static bool is_sparse(const Patch& patch)
   {
+    const double sparse = 1.75 * patch.spacing(), near = 2;   // spacings of the rim, of the point
     const Model& model = patch.surroundings()->model();
-    const double sparse = 1.25 * patch.spacing();
     std::size_t bare = 0, uncovered = 0;
-    std::vector<Neighbor_search::Neighbor> near;
+    std::vector<Neighbor_search::Neighbor> found;
     for(const Base_sample& s : patch.samples())
     {
       if(!s.is_uncovered)
         continue;
       ++uncovered;
-      model.search().k_nearest(s.position, 12, near);
-      bare += std::none_of(near.begin(), near.end(), [&](const Neighbor_search::Neighbor& n)
+      model.search().k_nearest(s.position, 12, found);
+      bare += std::none_of(found.begin(), found.end(), [&](const Neighbor_search::Neighbor& n)
       {
         const double spacing = model.spacing(n.first);
-        return spacing > sparse && n.second < Patch::covering() * spacing &&
-               is_same_side(s.normal, model.normal(n.first));
+        return spacing > sparse && n.second < near * spacing && is_same_side(s.normal, model.normal(n.first));
       });
     }
     return 2 * bare < uncovered;

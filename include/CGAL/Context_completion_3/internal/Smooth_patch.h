@@ -97,9 +97,6 @@ public:
     return n;
   }
 
-  /// How far a known point covers the base, in spacings.
-  static constexpr double covering() { return 1.5; }
-
   /// Known points at which the sampling arrived: rims that belong to the same hole.
   const std::vector<std::size_t>& reached() const { return m_reached; }
 
@@ -185,7 +182,7 @@ private:
       Base_sample sample;
       sample.position = x;
       sample.normal = normal;
-      sample.is_uncovered = nearest >= covering() * h;
+      sample.is_uncovered = nearest >= 1.5 * h;
       if(nearest >= 1.25 * h)
         front.emplace_back(m_samples.size(), (x - from).normalized());
       grid.insert(x);
