@@ -275,12 +275,12 @@ private:
       const Place_relief& relief = match.reliefs[ranking[r]];
       if(relief.coverage < 0.9)
         continue;
-      const Eigen::VectorXd difference = heights - relief.height;
-      const typename Missing_texture<ConcurrencyTag>::Texture texture = missing.of(difference);
-      if(!missing.is_fitting(texture, match.chosen.error))
+      const typename Missing_texture<ConcurrencyTag>::Texture texture =
+        missing.of(heights, relief.height, match.chosen.error);
+      if(!missing.is_fitting(texture))
         continue;
       place = &match.places[ranking[r]];
-      displacement = difference - texture.field;
+      displacement = heights - relief.height - texture.field;
       return;
     }
   }

@@ -31,9 +31,9 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  The fine relief that a plan misses, taken from a place: what is finer than a few spacings may stay with carried points
-  as their texture, as far as the plan misses such relief on the fake holes, sample by sample. It begins a few spacings
-  from the rim, as it does not fit what is there.
+  The fine relief that a plan misses, taken from a place: what is finer than some six spacings may stay with carried
+  points as their texture. Where it is missing, sample by sample, and how rough the hole is to be in the end, is learnt
+  from the fake holes. It begins a few spacings from the rim, as it does not fit what is there.
 */
 template <typename ConcurrencyTag>
 class Missing_texture
@@ -45,62 +45,112 @@ public:
   /// The texture of one place.
   struct Texture
   {
-    Eigen::VectorXd field;               ///< height over the plan, per sample
+    Eigen::VectorXd field;               ///< height of the plan over it, per sample
     double amplitude = 0;                ///< root mean square of it
     double own = 0;                      ///< that of the place, before it was brought to what is missing
   };
 
   Missing_texture(const Surface_model<ConcurrencyTag>& known, const Patch& patch, const Sampler& sampler,
                   const Copy_forecast<ConcurrencyTag>& forecast, const Filling_plan& plan)
-    : m_sampler(sampler), m_spacing(patch.spacing())
+    : m_sampler(sampler), m_spacing(patch.spacing()), m_smooth(forecast.heights(Filling_plan()))
   {
-    Eigen::MatrixXd missing = forecast.misses(plan);
-    for(Eigen::Index k = 0; k < missing.cols(); ++k)
-      missing.col(k) = low_pass(fine(missing.col(k)).cwiseAbs2());
+    const Eigen::MatrixXd missing = fine_variances(forecast.misses(plan)),
+                          relief = fine_variances(forecast.misses(Filling_plan()));
     m_deviation = Eigen::VectorXd::Zero(missing.rows());
     if(missing.cols() == 0)
       return;
-    std::vector<std::pair<double, double> > variances(std::size_t(missing.cols()));
+    std::vector<std::pair<double, double> > judged(std::size_t(missing.cols()));
+    for(std::size_t k = 0; k < judged.size(); ++k)
+      judged[k].second = forecast.judge_weights()[k];
+    std::vector<std::pair<double, double> > variances;
     for(Eigen::Index s = 0; s < missing.rows(); ++s)
     {
-      for(Eigen::Index k = 0; k < missing.cols(); ++k)
-        variances[std::size_t(k)] = std::make_pair(missing(s, k), forecast.judge_weights()[std::size_t(k)]);
+      variances = judged;
+      for(std::size_t k = 0; k < judged.size(); ++k)
+        variances[k].first = missing(s, Eigen::Index(k));
       const double distance = known.search().nearest(patch.samples()[std::size_t(s)].position).second / m_spacing;
       const double fade = (std::max)(0., (std::min)(1., (distance - 1) / 3));
       // above the median, because that of squares is below their mean; not the mean, for fake holes at sharp edges
       m_deviation[s] = fade * std::sqrt(weighted_quantile(variances, 0.65));
+      if(fade == 1)
+        m_inner.push_back(s);
     }
+    for(std::size_t k = 0; k < judged.size(); ++k)
+      judged[k].first = roughness(relief.col(Eigen::Index(k)));
+    m_roughness = weighted_quantile(judged, 0.5);
   }
 
-  /// \param difference of the plan from the place, per sample
-  Texture of(const Eigen::VectorXd& difference) const
+  /*!
+    The texture of a place, so strong that the hole gets the roughness of the fake holes.
+
+    \param heights of the plan, per sample
+    \param place heights of the place
+    \param error of the plan that is to be expected
+  */
+  Texture of(const Eigen::VectorXd& heights, const Eigen::VectorXd& place, double error) const
   {
+    const Eigen::VectorXd field = fine(heights - place), plan = fine(heights - m_smooth);
+    const Eigen::VectorXd deviation = low_pass(field.cwiseAbs2()).cwiseSqrt();
+    const Eigen::VectorXd missing = m_deviation.cwiseQuotient((deviation.array() + 1e-300).matrix());
     Texture texture;
-    texture.field = fine(difference);
-    texture.own = root_mean_square(texture.field);
-    const Eigen::VectorXd variance = low_pass(texture.field.cwiseAbs2());
-    for(Eigen::Index s = 0; s < variance.size(); ++s)
-      texture.field[s] *= (std::min)(largest_gain(), m_deviation[s] / std::sqrt(variance[s] + 1e-300));
+    texture.own = root_mean_square(field);
+    double low = 0, high = largest_gain();
+    for(int round = 0; round < 12; ++round)
+    {
+      const double gain = (low + high) / 2;
+      texture.field = field.cwiseProduct((gain * missing).cwiseMin(largest_gain()));
+      // fine once more: what the low pass lets through in part was taken from the field already
+      const Eigen::VectorXd result = plan - fine(texture.field);
+      (roughness(low_pass(result.cwiseAbs2())) < m_roughness ? low : high) = gain;
+    }
     texture.amplitude = root_mean_square(texture.field);
+    limit(error, texture);
     return texture;
   }
 
-  /// Finer relief than 0.05 spacings cannot be told from an uneven sampling; texture that is random against the true
-  /// one adds to the error, by a fifth at most below 0.7 of it; and a place with much more of it has another texture.
-  bool is_fitting(const Texture& texture, double error) const
+  /// Relief of less than a tenth of a spacing cannot be seen but adds to the error, and a place with much more of it
+  /// than is missing has another texture.
+  bool is_fitting(const Texture& texture) const
   {
-    return texture.amplitude > 0.05 * m_spacing && texture.amplitude < 0.7 * error &&
-           texture.amplitude > 0.4 * texture.own;
+    return texture.amplitude > 0.1 * m_spacing && texture.amplitude > 0.4 * texture.own;
   }
 
 private:
-  static double largest_gain() { return 1.25; }
+  static double largest_gain() { return 1.75; }
+
+  // Texture cannot be stronger than all that is missing; fake holes that ask for far more are rougher than the hole.
+  static void limit(double error, Texture& texture)
+  {
+    const double largest = 0.9 * error, absurd = 1.4 * error;
+    if(texture.amplitude <= largest)
+      return;
+    const double scale = texture.amplitude < absurd ? largest / texture.amplitude : 0.;
+    texture.field *= scale;
+    texture.amplitude *= scale;
+  }
+
+  // Median over the samples that texture reaches unfaded.
+  double roughness(const Eigen::VectorXd& variance) const
+  {
+    std::vector<std::pair<double, double> > values;
+    for(Eigen::Index s : m_inner)
+      values.emplace_back(variance[s], 1 / double(m_inner.size()));
+    return values.empty() ? 0. : std::sqrt(weighted_quantile(values, 0.5));
+  }
+
+  // Local variance of the fine part of each column.
+  Eigen::MatrixXd fine_variances(Eigen::MatrixXd fields) const
+  {
+    for(Eigen::Index k = 0; k < fields.cols(); ++k)
+      fields.col(k) = low_pass(fine(fields.col(k)).cwiseAbs2());
+    return fields;
+  }
 
   Eigen::VectorXd fine(const Eigen::VectorXd& field) const { return field - low_pass(field); }
 
   Eigen::VectorXd low_pass(Eigen::VectorXd field) const
   {
-    for(int round = 0; round < 4; ++round)
+    for(int round = 0; round < 6; ++round)
     {
       Eigen::VectorXd next(field.size());
       for(Eigen::Index s = 0; s < field.size(); ++s)
@@ -119,7 +169,10 @@ private:
 
   const Sampler& m_sampler;
   double m_spacing;
+  Eigen::VectorXd m_smooth;              // heights of the smooth plan, per sample
   Eigen::VectorXd m_deviation;           // fine relief that the plan misses, per sample
+  std::vector<Eigen::Index> m_inner;     // samples that are not near the rim
+  double m_roughness = 0;                // fine relief of the fake holes
 };
 
 } // namespace internal
