@@ -19,6 +19,7 @@
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
+#include <CGAL/Context_completion_3/internal/Rim_membrane.h>
 #include <CGAL/Context_completion_3/internal/Surface_band.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
@@ -27,6 +28,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <vector>
@@ -243,6 +245,132 @@ TEST(Membrane, Interpolates_and_keeps_constants)
     membrane.basis(q, row);
     EXPECT_NEAR(row * c.col(1), 3.5, 1e-10);
   }
+}
+
+namespace {
+
+// A rim of radius 10 with a place every 1.2, and samples inside.
+struct Round_rim
+{
+  static constexpr double spacing = 1, reach = 3;
+  std::vector<Vector> rim, inside;
+  Rim_membrane membrane;
+
+  Round_rim()
+  {
+    for(int i = 0; i < 52; ++i)
+      rim.emplace_back(10 * std::cos(i * 0.12083), 10 * std::sin(i * 0.12083), 0);
+    for(int x = -6; x <= 6; x += 2)
+      for(int y = -6; y <= 6; y += 2)
+        inside.emplace_back(x, y, 0);
+    membrane = Rim_membrane(rim, inside, spacing, reach);
+  }
+
+  Eigen::VectorXd values(const std::function<double(const Vector&)>& f) const
+  {
+    Eigen::VectorXd result(Eigen::Index(rim.size()));
+    for(std::size_t i = 0; i < rim.size(); ++i)
+      result[Eigen::Index(i)] = f(rim[i]);
+    return result;
+  }
+
+  Eigen::VectorXd noise(unsigned int seed) const
+  {
+    samples::Random_offsets offset(seed);
+    return values([&](const Vector&) { return offset(); });
+  }
+
+  // At `at`, by a membrane through some places of the rim, whose values have a noise of variance `nugget`.
+  double fitted(const std::vector<std::size_t>& used, const Eigen::VectorXd& v, double nugget, const Vector& at) const
+  {
+    const Eigen::Index n = Eigen::Index(used.size());
+    Eigen::MatrixXd a = Eigen::MatrixXd::Ones(n + 1, n + 1);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1), row = Eigen::VectorXd::Ones(n + 1);
+    for(Eigen::Index i = 0; i < n; ++i)
+    {
+      const Vector& p = rim[used[std::size_t(i)]];
+      for(Eigen::Index k = 0; k < n; ++k)
+        a(i, k) = (i == k ? nugget : 0.) - (p - rim[used[std::size_t(k)]]).norm() / spacing;
+      right[i] = v[Eigen::Index(used[std::size_t(i)])];
+      row[i] = -(at - p).norm() / spacing;
+    }
+    a(n, n) = 0;
+    return row.dot(a.fullPivLu().solve(right));
+  }
+};
+
+} // namespace
+
+TEST(Rim_membrane, Noise_at_the_rim_hardly_bends_it)
+{
+  const Round_rim round;
+  double interpolated = 0, smoothed = 0;
+  for(unsigned int seed = 1; seed <= 20; ++seed)
+  {
+    const Eigen::VectorXd noise = round.noise(seed);
+    interpolated += round.membrane.interpolated(noise).cwiseAbs().mean();
+    smoothed += round.membrane.smoothed(noise).cwiseAbs().mean();
+  }
+  EXPECT_GT(interpolated, 0.2);
+  EXPECT_LT(smoothed, 0.6 * interpolated);
+}
+
+TEST(Rim_membrane, A_tilt_at_the_rim_bends_it_even_under_noise)
+{
+  const Round_rim round;
+  const Eigen::VectorXd tilt = round.values([](const Vector& p) { return 0.1 * p.x(); });
+  const Eigen::VectorXd exact = round.membrane.interpolated(tilt);
+  EXPECT_LT((round.membrane.smoothed(tilt) - exact).cwiseAbs().maxCoeff(), 0.05);
+  const Eigen::VectorXd noisy = tilt + 0.3 * round.noise(3);
+  EXPECT_LT((round.membrane.smoothed(noisy) - exact).cwiseAbs().mean(), 0.1 * exact.cwiseAbs().maxCoeff());
+}
+
+TEST(Rim_membrane, Is_as_stiff_as_a_search_with_fits_without_each_place_finds)
+{
+  const Round_rim round;
+  std::set<double> chosen;
+  for(unsigned int seed = 1; seed <= 8; ++seed)
+  {
+    const double share = 0.1 * seed;
+    const Eigen::VectorXd v = share * round.noise(seed) +
+      round.values([&](const Vector& p) { return (1 - share) * std::sin(0.2 * seed * p.x() + 0.1 * p.y()); });
+    double best = -1, least = v.cwiseAbs().mean();
+    std::vector<std::size_t> all;
+    for(std::size_t i = 0; i < round.rim.size(); ++i)
+      all.push_back(i);
+    for(double nugget : {0., 1., 4., 16., 64.})
+    {
+      double error = 0;
+      for(std::size_t i = 0; i < round.rim.size(); ++i)
+      {
+        std::vector<std::size_t> others;
+        for(std::size_t k : all)
+          if((round.rim[k] - round.rim[i]).norm() >= Round_rim::reach)
+            others.push_back(k);
+        error += std::abs(v[Eigen::Index(i)] - round.fitted(others, v, nugget, round.rim[i]));
+      }
+      error /= double(round.rim.size());
+      if(error < least)
+      {
+        least = error;
+        best = nugget;
+      }
+    }
+    chosen.insert(best);
+    const Eigen::VectorXd smoothed = round.membrane.smoothed(v);
+    for(std::size_t s = 0; s < round.inside.size(); ++s)
+      ASSERT_NEAR(smoothed[Eigen::Index(s)], best < 0 ? 0. : round.fitted(all, v, best, round.inside[s]), 1e-8)
+        << "nugget " << best << " sample " << s;
+  }
+  EXPECT_GT(chosen.size(), 2u) << "the values do not tell stiffnesses apart";
+}
+
+TEST(Rim_membrane, A_rim_of_few_places_is_interpolated)
+{
+  const std::vector<Vector> rim = random_points(8, 3, 4.), inside = random_points(30, 4, 2.);
+  const Rim_membrane membrane(rim, inside, 1., 3.);
+  const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(8, -1, 1).cwiseAbs2();
+  EXPECT_EQ(membrane.smoothed(values), membrane.interpolated(values));
 }
 
 TEST(Base_family, Weights_sum_to_one_and_prefer_small_errors)

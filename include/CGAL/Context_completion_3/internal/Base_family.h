@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Rim_membrane.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Weighted_quantile.h>
 
@@ -156,11 +157,11 @@ public:
     return result;
   }
 
-  /// Continues the values of each column of `data` as a membrane; linear.
-  Eigen::MatrixXd membrane(const Eigen::MatrixXd& data) const
-  {
-    return m_membrane * at_rim(values(data));
-  }
+  /// Values of each column of `data` at the rim.
+  Eigen::MatrixXd rim_values(const Eigen::MatrixXd& data) const { return at_rim(values(data)); }
+
+  /// Spreads values at the rim over the samples.
+  const Rim_membrane& membrane() const { return m_membrane; }
 
   /// Root mean square of what a smoothed base misses at the rim, for the known surface displaced by each column of
   /// `data`: how rough the surroundings are.
@@ -214,19 +215,12 @@ private:
 
   void prepare_membrane()
   {
-    std::vector<Vector> positions;
+    std::vector<Vector> rim, samples;
     for(std::size_t i : m_rim)
-      positions.push_back(m_patch.centers()[i].position);
-    const Membrane membrane(positions, m_patch.scale());
-    const Eigen::Index n = Eigen::Index(m_rim.size());
-    const Eigen::MatrixXd weights = membrane.solve(Eigen::MatrixXd::Identity(n, n));
-    Eigen::RowVectorXd row;
-    m_membrane.resize(Eigen::Index(m_patch.samples().size()), n);
-    for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
-    {
-      membrane.basis(m_patch.samples()[s].position, row);
-      m_membrane.row(Eigen::Index(s)) = row * weights;
-    }
+      rim.push_back(m_patch.centers()[i].position);
+    for(const Base_sample& s : m_patch.samples())
+      samples.push_back(s.position);
+    m_membrane = Rim_membrane(rim, samples, m_patch.spacing(), m_patch.fit_radius());
   }
 
   // Simple kriging: what is missed at all centres, as a random field of Matern 3/2 covariance with a small nugget.
@@ -343,7 +337,7 @@ private:
 
   const Patch& m_patch;
   std::vector<std::size_t> m_rim;       // indices of centres
-  Eigen::MatrixXd m_membrane;           // samples x rim
+  Rim_membrane m_membrane;
   std::vector<Trend> m_trends;
   std::vector<Member> m_members;
 };

@@ -20,6 +20,7 @@
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
+#include <CGAL/Context_completion_3/internal/Rim_membrane.h>
 #include <CGAL/Context_completion_3/internal/Rim_mismatch.h>
 
 #include <Eigen/Dense>
@@ -65,11 +66,9 @@ public:
     Eigen::MatrixXd rim = Eigen::MatrixXd::Zero(4 * Eigen::Index(patch.centers().size()), Eigen::Index(n) + 1);
     for(std::size_t c = 0; c < n; ++c)
       rim.col(Eigen::Index(c)) = reliefs[c].rim;
-    m_membrane = family.membrane(rim);
-    if(!m_ingredients.warp)
-      m_membrane.setZero();
     m_roughness = family.roughness(rim);
     combine_bases(family, rim);
+    choose_warps(family.membrane(), family.rim_values(rim));
   }
 
   /// The places by how well they match the hole around it.
@@ -81,8 +80,8 @@ public:
   /// Heights over the samples of the base that a plan gives in the hole.
   Eigen::VectorXd heights(const Filling_plan& plan) const { return predict(plan, target); }
 
-  /// Displacement that fits place `j` to the rim.
-  Eigen::VectorXd fitting(std::size_t j) const { return -m_membrane.col(Eigen::Index(j)); }
+  /// Displacement that fits the best place to the rim.
+  Eigen::VectorXd fitting() const { return warp(target, ranking().front()); }
 
   /// All plans with their forecasts, the smooth one first.
   std::vector<Plan_forecast> forecasts() const
@@ -106,7 +105,7 @@ public:
     for(std::size_t k : m_statistics.judges())
       errors.push_back(fake_error(Filling_plan(), k));
     extrapolate(errors, result[0]);
-    for(std::size_t places : {1, 2, 4, 8})
+    for(std::size_t places : {std::size_t(1), std::size_t(2), std::size_t(4), most_places})
     {
       if(places > 1 && !m_ingredients.averaging)
         break;
@@ -151,7 +150,14 @@ public:
   const std::vector<double>& judge_weights() const { return m_statistics.weights(); }
 
 private:
+  typedef std::vector<std::vector<Eigen::VectorXd> > Warps; // per place, the hole last: parallel to its ranking
+
+  static constexpr std::size_t most_places = 8;        // of a plan
+
   static double least_share() { return 0.15; }
+
+  // In spacings: errors below are alike.
+  static double smallest_error() { return 0.005; }
 
   static std::vector<double> coverages(const std::vector<Place_relief>& reliefs)
   {
@@ -161,10 +167,61 @@ private:
     return result;
   }
 
+  // Displacements that fit the best places of the hole, and of each fake hole, to its rim. Whether what a copy misses at
+  // the rim is real or noise of the local fits there, the fake holes tell.
+  void choose_warps(const Rim_membrane& membrane, const Eigen::MatrixXd& rim)
+  {
+    if(!m_ingredients.warp)
+      return prepare_warps([&](const Eigen::VectorXd&) -> Eigen::VectorXd
+        { return Eigen::VectorXd::Zero(m_smooth.rows()); }, rim);
+    const auto interpolate = [&](const Eigen::VectorXd& missed) { return membrane.interpolated(missed); };
+    if(!m_ingredients.fake_holes)
+      return prepare_warps(interpolate, rim);
+    prepare_warps([&](const Eigen::VectorXd& missed) { return membrane.smoothed(missed); }, rim);
+    const double smoothed_loss = loss_of_whole_copies();
+    Warps smoothed;
+    smoothed.swap(m_warps);
+    prepare_warps(interpolate, rim);
+    if(smoothed_loss < loss_of_whole_copies())
+      m_warps.swap(smoothed);
+  }
+
+  void prepare_warps(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& spread, const Eigen::MatrixXd& rim)
+  {
+    m_warps.assign(m_reliefs.size() + 1, std::vector<Eigen::VectorXd>());
+    std::vector<std::size_t> holes = m_statistics.judges();
+    holes.push_back(target);
+    for_each_index<ConcurrencyTag>(holes.size(), [&](std::size_t i)
+    {
+      const Eigen::Index k = m_statistics.column(holes[i]);
+      const std::vector<std::size_t>& order = m_statistics.ranking(holes[i]);
+      for(std::size_t r = 0; r < order.size() && r < most_places; ++r)
+        m_warps[std::size_t(k)].push_back(spread(rim.col(k) - rim.col(Eigen::Index(order[r]))));
+    });
+  }
+
+  // Mean logarithm of the error that the best place of each fake hole makes there.
+  double loss_of_whole_copies() const
+  {
+    double loss = 0;
+    for(std::size_t i = 0; i < m_statistics.judges().size(); ++i)
+      loss += judge_weights()[i] *
+        std::log(fake_error(Filling_plan(1, 1), m_statistics.judges()[i]) + smallest_error() * m_patch.spacing());
+    return loss;
+  }
+
+  // of place `j`, which is among the best ones of `k`
+  const Eigen::VectorXd& warp(std::size_t k, std::size_t j) const
+  {
+    const std::vector<std::size_t>& order = m_statistics.ranking(k);
+    const std::size_t r = std::size_t(std::find(order.begin(), order.end(), j) - order.begin());
+    return m_warps[std::size_t(m_statistics.column(k))][r];
+  }
+
   // The smooth base of the hole and of all fake holes.
   void combine_bases(const Base_family<ConcurrencyTag>& family, const Eigen::MatrixXd& rim)
   {
-    const double floor = 0.005 * m_patch.spacing();
+    const double floor = smallest_error() * m_patch.spacing();
     const std::vector<std::size_t>& judges = m_statistics.judges();
     std::vector<Eigen::MatrixXd> heights(family.size());
     std::vector<double> errors(family.size(), 0.);
@@ -238,8 +295,8 @@ private:
     if(plan.places == 0 || m_statistics.ranking(k).empty())
       return smooth;
     const Eigen::VectorXd copy = m_statistics.mean_over_best(plan.places, k, [&](std::size_t j) -> Eigen::VectorXd
-      { return m_reliefs[j].height - m_membrane.col(Eigen::Index(j)); });
-    return smooth + plan.share * (copy + m_membrane.col(m_statistics.column(k)) - smooth);
+      { return m_reliefs[j].height + warp(k, j); });
+    return smooth + plan.share * (copy - smooth);
   }
 
   std::function<double(std::size_t, std::size_t)> mismatch() const
@@ -261,7 +318,8 @@ private:
   Ingredients m_ingredients;
   double m_sector_error = 0;
   Fake_hole_statistics m_statistics;
-  Eigen::MatrixXd m_smooth, m_membrane;               // samples x places, the hole last
+  Eigen::MatrixXd m_smooth;                           // samples x places, the hole last
+  Warps m_warps;
   Eigen::VectorXd m_roughness;                        // per place, the hole last
 };
 

@@ -110,7 +110,7 @@ public:
     {
       // the whole relief of one place, which is fitted to the rim and keeps all else
       place = &match.places[first];
-      displacement = match.forecast->fitting(first);
+      displacement = match.forecast->fitting();
     }
     else
     {
