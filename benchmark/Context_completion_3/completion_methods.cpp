@@ -94,6 +94,8 @@ struct Variant
 
 // one entry for each ingredient
 const Variant variants[] = {
+  { "without_copies", "the smooth base of each hole",
+    [](Engine_parameters& p) { p.ingredients.copies = false; } },
   { "without_turns", "places in one turn about their normal only",
     [](Engine_parameters& p) { p.number_of_turns = 1; } },
   { "without_mirrors", "no mirrored copies",

@@ -347,6 +347,31 @@ TEST(Default_policy, Copies_from_a_further_example)
   EXPECT_GT(with_source, 0u);
 }
 
+TEST(Default_policy, Noise_of_the_fits_at_the_rim_does_not_bend_an_exact_counterpart)
+{
+  const samples::Samples sheet = samples::bumpy_plane(64, 1., 8., 1.);
+  Engine_parameters rigid;
+  rigid.ingredients.warp = false;
+  const samples::Samples rest = samples::without_ball(sheet, samples::Point(33, 30, 0), 9.);
+  const double warped = mean_error(sequential(rest), egg_box_distance),
+               unwarped = mean_error(sequential(rest, rigid), egg_box_distance);
+  EXPECT_LT(warped, 1.2 * unwarped);
+}
+
+TEST(Default_policy, Without_copies_a_hole_gets_its_smooth_base)
+{
+  const Cut cut = bumpy_sheet();
+  Engine_parameters parameters;
+  parameters.ingredients.copies = false;
+  const Completion smooth = sequential(cut.rest, parameters), copied = sequential(cut.rest);
+  ASSERT_EQ(smooth.chosen.size(), 1u);
+  EXPECT_EQ(smooth.outcomes[smooth.chosen.front()].filling, Filling::smooth);
+  ASSERT_FALSE(smooth.added.empty());
+  for(const Added_point& p : smooth.added)
+    EXPECT_EQ(p.source, no_index);
+  EXPECT_GT(mean_error(smooth, cut.distance), 2 * mean_error(copied, cut.distance));
+}
+
 TEST(Default_policy, A_lonely_feature_is_filled_from_its_only_twin)
 {
   // two craters with a peak in a gently waved sheet; the hole takes the peak of one, and its rim shows the crater only

@@ -78,6 +78,7 @@ struct Added_point
 /// Parts of the default policy that an ablation leaves out one by one.
 struct Ingredients
 {
+  bool copies = true;        ///< anything is copied at all; otherwise each hole gets its smooth base
   bool signature = true;     ///< the search compares the signatures of cells in the frames of places
   bool probes = true;        ///< the search compares probes around the hole
   bool alignment = true;     ///< places are aligned to the surroundings of the hole

@@ -119,7 +119,7 @@ public:
         place = &match.places[first];
         displacement = result.heights - match.reliefs[first].height;
       }
-      if(m_keep_texture)
+      if(m_keep_texture && m_ingredients.copies)
         add_texture(patch, match, result.heights, place, displacement);
     }
     if(place == nullptr)
@@ -157,8 +157,8 @@ public:
   std::size_t number_of_finer_levels(const Patch& patch) const
   {
     // without fake holes pieces cannot tell what they are worth
-    return m_ingredients.levels && m_ingredients.fake_holes ? Hole_refinement<ConcurrencyTag>::number_of_levels(patch)
-                                                            : 0;
+    const bool is_refined = m_ingredients.copies && m_ingredients.levels && m_ingredients.fake_holes;
+    return is_refined ? Hole_refinement<ConcurrencyTag>::number_of_levels(patch) : 0;
   }
 
   /// How often the pieces of a level are gone through.
@@ -250,6 +250,8 @@ private:
       match.best = forecast->match(forecast->ranking().front());
     const std::vector<Plan_forecast> forecasts = forecast->forecasts();
     match.smooth = match.chosen = forecasts.front();
+    if(!m_ingredients.copies)
+      return match;
     for(const Plan_forecast& f : forecasts)
       if(f.error < (match.chosen.plan.places > 0 ? match.chosen.error
                                                  : copy_margin() * match.chosen.error - rounding() * patch.spacing()))
