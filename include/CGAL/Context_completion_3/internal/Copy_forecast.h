@@ -175,7 +175,7 @@ private:
       return prepare_warps([&](const Eigen::VectorXd&) -> Eigen::VectorXd
         { return Eigen::VectorXd::Zero(m_smooth.rows()); }, rim);
     const auto interpolate = [&](const Eigen::VectorXd& missed) { return membrane.interpolated(missed); };
-    if(!m_ingredients.fake_holes)
+    if(!m_ingredients.fake_holes || !is_missed_alike(rim))
       return prepare_warps(interpolate, rim);
     prepare_warps([&](const Eigen::VectorXd& missed) { return membrane.smoothed(missed); }, rim);
     const double smoothed_loss = loss_of_whole_copies();
@@ -184,6 +184,24 @@ private:
     prepare_warps(interpolate, rim);
     if(smoothed_loss < loss_of_whole_copies())
       m_warps.swap(smoothed);
+  }
+
+  // Whether the best place misses at the rim of the hole what best places miss at those of the fake holes. If it misses
+  // more, the fake holes have counterparts and the hole has not: what is noise there is misfit here.
+  bool is_missed_alike(const Eigen::MatrixXd& rim) const
+  {
+    const auto missed = [&](std::size_t k)
+    {
+      const Eigen::Index best = Eigen::Index(m_statistics.ranking(k).front());
+      return std::log((rim.col(m_statistics.column(k)) - rim.col(best)).cwiseAbs().mean()
+                      + smallest_error() * m_patch.spacing());
+    };
+    if(!m_statistics.is_sufficient())
+      return false;
+    double usual = 0;
+    for(std::size_t i = 0; i < m_statistics.judges().size(); ++i)
+      usual += judge_weights()[i] * missed(m_statistics.judges()[i]);
+    return missed(target) < usual + std::log(2.);
   }
 
   void prepare_warps(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& spread, const Eigen::MatrixXd& rim)
