@@ -263,12 +263,13 @@ private:
                                                  std::size_t l, std::vector<std::size_t>& group) const
   {
     const std::size_t partner = grouping.facing_loop(l);
-    if(partner != no_index)
-    {
-      group = { l, partner };
-      if(const auto patch = closed_base(loops, grouping, group))
-        return patch;
-    }
+    for(bool is_stiff : { false, true })
+      if(partner != no_index)
+      {
+        group = { l, partner };
+        if(const auto patch = closed_base(loops, grouping, group, is_stiff))
+          return patch;
+      }
     group.assign(1, l);
     const double opening = loops[l].opening(m_model.points(), loops[l].center);
     // turned away altogether: the border of a sheet or of an island

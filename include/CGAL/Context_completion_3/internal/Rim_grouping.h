@@ -14,11 +14,13 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -56,22 +58,23 @@ public:
   /// Mean cosine, of directions or of normals; a hole in a sphere reaches it when it takes off nearly half of it.
   static double least_opening() { return 0.25; }
 
-  /// The other end of a tube that was cut through: both rims open towards each other. `no_index` if there is none.
+  /*!
+    The other side of a tube that was cut through: two ends that open towards each other, or an end that points at a rim
+    in the surface from which the tube rises, a limb from a body or a bore from a wall. `no_index` if there is none.
+  */
   std::size_t facing_loop(std::size_t l) const
   {
     const Rim_loop& a = m_loops[l];
-    if(a.points.size() < fewest_tube_points() || a.opening(m_model.points(), a.center) > 0.6)
-      return no_index;
     std::size_t best = no_index;
     double shortest = 0;
     for(std::size_t m = 0; m < m_loops.size(); ++m)
     {
       const Rim_loop& b = m_loops[m];
-      if(m == l || m_is_used[m] || b.points.size() < fewest_tube_points() || b.diameter < 0.4 * a.diameter)
+      if(m == l || m_is_used[m] || a.points.size() < fewest_tube_points() || b.points.size() < fewest_tube_points() ||
+         b.diameter < 0.4 * a.diameter)
         continue;
       const double distance = (a.center - b.center).norm();
-      if(distance > 2.5 * a.diameter || a.opening(m_model.points(), b.center) < 0.6 ||
-         b.opening(m_model.points(), a.center) < 0.6)
+      if(distance > 2.5 * a.diameter || !(are_ends(a, b) || rises(a, b) || rises(b, a)))
         continue;
       if(best == no_index || distance < shortest)
       {
@@ -124,6 +127,68 @@ public:
 private:
   // the end of a tube is a ring
   static std::size_t fewest_tube_points() { return 6; }
+
+  double opening(const Rim_loop& loop, const Vector& target) const { return loop.opening(m_model.points(), target); }
+
+  // A rim in a surface opens towards its own centre, that of an end less so.
+  bool is_end(const Rim_loop& loop) const { return opening(loop, loop.center) <= 0.6; }
+
+  // Both open more towards each other than towards their own centres.
+  bool are_ends(const Rim_loop& a, const Rim_loop& b) const
+  {
+    const double ab = opening(a, b.center), ba = opening(b, a.center);
+    return ab > opening(a, a.center) && ba > opening(b, b.center) && (std::min)(ab, ba) >= 0.4 && ab + ba >= 1.1;
+  }
+
+  // The axis of an end leads through the rim, which opens towards the end, and both bound the same side of the surface.
+  bool rises(const Rim_loop& end, const Rim_loop& rim) const
+  {
+    Vector axis = Vector::Zero();
+    for(const Rim_point& p : end.points)
+      axis += p.outward;
+    const double length = axis.norm();
+    if(!is_end(end) || length < 0.6 * double(end.points.size()))
+      return false;
+    axis /= length;
+    if(!is_ring(end, axis))
+      return false;
+    const Vector between = rim.center - end.center;
+    const double along = between.dot(axis);
+    return along > 0 && (between - along * axis).norm() < 0.5 * end.diameter &&
+           opening(rim, end.center) >= least_opening() &&
+           side(end, end.center, axis) * side(rim, end.center, axis) > 0;
+  }
+
+  // all around the axis, without the gap that a piece of a border has
+  bool is_ring(const Rim_loop& loop, const Vector& axis) const
+  {
+    const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
+    std::vector<double> angles;
+    for(const Rim_point& p : loop.points)
+    {
+      const Vector d = m_model.position(p.index) - loop.center;
+      angles.push_back(std::atan2(d.dot(v), d.dot(u)));
+    }
+    std::sort(angles.begin(), angles.end());
+    const double pi = 3.14159265358979323846;
+    double gap = angles.front() + 2 * pi - angles.back();
+    for(std::size_t k = 1; k < angles.size(); ++k)
+      gap = (std::max)(gap, angles[k] - angles[k - 1]);
+    return gap < 0.5 * pi;
+  }
+
+  // Positive if the normals turn away from the axis, as around a limb, and against its direction, as where a limb rises.
+  // This counts more, since a rim can go over the edges of a body into which a bore leads.
+  double side(const Rim_loop& loop, const Vector& origin, const Vector& axis) const
+  {
+    double sum = 0;
+    for(const Rim_point& p : loop.points)
+    {
+      const Vector d = m_model.position(p.index) - origin;
+      sum += m_model.normal(p.index).dot((d - d.dot(axis) * axis).normalized() - 2 * axis);
+    }
+    return sum;
+  }
 
   // The outward directions meet in a place that all of them lead to. At an acute edge this is not the centre of the
   // rim: both sides lead to the edge.
