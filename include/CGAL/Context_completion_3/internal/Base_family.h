@@ -34,7 +34,8 @@ namespace internal {
 
 /*!
   Smooth continuations of what is known around a hole, from interpolating to strongly smoothing: as operators from data
-  at the centres (value and gradient over the base of the patch, 4 numbers a centre) to heights at its samples.
+  at the centres (value and gradient over the base of the patch, 4 numbers a centre) to heights at its samples. All are
+  led through the guides of the patch.
 
   Each is a trend (polyharmonic, with more or less noise) plus what the trend misses at the centres, which either is
   made up close to the rim or goes on as a random field with a Matern covariance of some range (simple kriging).
@@ -112,7 +113,7 @@ public:
   {
     const Member& member = m_members[m];
     const Trend& trend = m_trends[member.trend];
-    const Eigen::MatrixXd coefficients = trend.base.solve(data);
+    const Eigen::MatrixXd coefficients = trend.base.solve(with_guides(data));
     const Eigen::MatrixXd missed = (values(data) - trend.center_basis * coefficients).colwise() + trend.missed;
     return (trend.basis * coefficients + member.rest * missed).colwise() + trend.offset;
   }
@@ -169,11 +170,19 @@ public:
   {
     const Trend& trend = m_trends[2];
     const Eigen::MatrixXd missed =
-      at_rim((values(data) - trend.center_basis * trend.base.solve(data)).colwise() + trend.missed);
+      at_rim((values(data) - trend.center_basis * trend.base.solve(with_guides(data))).colwise() + trend.missed);
     return (missed.colwise().squaredNorm() / double(missed.rows())).cwiseSqrt().transpose();
   }
 
 private:
+  // displacements of the centres: the guides stay where they are
+  Eigen::MatrixXd with_guides(const Eigen::MatrixXd& data) const
+  {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(data.rows() + 4 * Eigen::Index(m_patch.guides().size()), data.cols());
+    result.topRows(data.rows()) = data;
+    return result;
+  }
+
   // of centres, from their 4 numbers each
   static Eigen::MatrixXd values(const Eigen::MatrixXd& data)
   {
@@ -248,10 +257,12 @@ private:
     std::vector<Vector> positions;
     for(const Base_center& c : m_patch.centers())
       positions.push_back(c.position);
+    for(const Base_center& c : m_patch.guides())
+      positions.push_back(c.position);
     trend.base = Polyharmonic_base(positions, m_patch.scale(), trend.value_noise, trend.gradient_noise);
     const Eigen::MatrixXd data = m_patch.normal_data();
     trend.coefficients = trend.base.solve(data).col(0);
-    const Eigen::Index n = Eigen::Index(m_patch.samples().size()), r = Eigen::Index(positions.size());
+    const Eigen::Index n = Eigen::Index(m_patch.samples().size()), r = Eigen::Index(m_patch.centers().size());
     Eigen::RowVectorXd row;
     trend.basis.resize(n, trend.coefficients.size());
     trend.offset.resize(n);

@@ -20,11 +20,13 @@
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
+#include <CGAL/Context_completion_3/internal/Tube_bridge.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -258,18 +260,36 @@ private:
     }
   }
 
+  // Over both rims of a tube: the smooth base if it joins them or, where it closes each alone or runs off, one that is
+  // led from the one to the other.
+  std::shared_ptr<const Patch> base_of_tube(const std::vector<Rim_loop>& loops, const Grouping& grouping,
+                                            std::vector<std::size_t>& group) const
+  {
+    const std::vector<std::size_t> pair = group;
+    const auto patch = closed_base(loops, grouping, group);
+    if(patch && patch->joins_rims())
+      return patch;
+    const std::vector<Rim_loop> rims = { loops[pair[0]], loops[pair[1]] };
+    const auto led = std::make_shared<const Patch>(
+      std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, rims), false, std::nullopt,
+      Tube_bridge<ConcurrencyTag>(m_model, rims[0], rims[1]).rings());
+    if(!led->is_closed() || !led->joins_rims() || !is_evident(*led))
+      return patch;
+    group = pair;
+    return led;
+  }
+
   // A rim, alone or with the other end of a cut tube.
   std::shared_ptr<const Patch> base_of_whole_rim(const std::vector<Rim_loop>& loops, const Grouping& grouping,
                                                  std::size_t l, std::vector<std::size_t>& group) const
   {
     const std::size_t partner = grouping.facing_loop(l);
-    for(bool is_stiff : { false, true })
-      if(partner != no_index)
-      {
-        group = { l, partner };
-        if(const auto patch = closed_base(loops, grouping, group, is_stiff))
-          return patch;
-      }
+    if(partner != no_index)
+    {
+      group = { l, partner };
+      if(const auto patch = base_of_tube(loops, grouping, group))
+        return patch;
+    }
     group.assign(1, l);
     const double opening = loops[l].opening(m_model.points(), loops[l].center);
     // turned away altogether: the border of a sheet or of an island
@@ -288,7 +308,7 @@ private:
   static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
   {
     const double bulge = 1.15;
-    const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true);
+    const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
     const bool is_smaller = double(patch.samples().size()) > bulge * double(stiff->samples().size());
     return stiff->is_closed() && is_evident(*stiff) && is_smaller ? stiff : nullptr;
   }

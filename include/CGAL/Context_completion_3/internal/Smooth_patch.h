@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -56,14 +57,19 @@ public:
 
   /// \param is_stiff lets the base miss the surroundings a little, which keeps it from following relief at the rim off
   /// \param domain where the base ends at the latest, which then closes it; none: nowhere
+  /// \param guides further places through which the base leads
   explicit Smooth_patch(const std::shared_ptr<const Surroundings>& surroundings, bool is_stiff = false,
-                        const std::optional<Bbox_3>& domain = std::nullopt)
-    : m_surroundings(surroundings), m_model(surroundings->model()), m_spacing(surroundings->spacing()), m_domain(domain)
+                        const std::optional<Bbox_3>& domain = std::nullopt,
+                        const std::vector<Base_center>& guides = std::vector<Base_center>())
+    : m_surroundings(surroundings), m_model(surroundings->model()), m_spacing(surroundings->spacing()), m_domain(domain),
+      m_guides(guides)
   {
     if(centers().size() < 4)
       return;
     std::vector<Vector> positions;
     for(const Base_center& c : centers())
+      positions.push_back(c.position);
+    for(const Base_center& c : guides)
       positions.push_back(c.position);
     m_base = is_stiff ? std::make_unique<Polyharmonic_base>(positions, scale(), 1., 300.)
                       : std::make_unique<Polyharmonic_base>(positions, scale());
@@ -100,14 +106,25 @@ public:
   /// Known points at which the sampling arrived: rims that belong to the same hole.
   const std::vector<std::size_t>& reached() const { return m_reached; }
 
+  /// Whether the sampling went on from each rim to the others; otherwise each of some rims is closed alone.
+  bool joins_rims() const { return m_joins_rims; }
+
+  /// As given.
+  const std::vector<Base_center>& guides() const { return m_guides; }
+
   double scale() const { return (std::max)(diameter() / 2, 2 * m_spacing); }
 
-  /// Right hand side "value 0, gradient = normal" of the centres: the base itself.
+  /// Right hand side "value 0, gradient = normal" of the centres and, after them, the guides: the base itself.
   Eigen::MatrixXd normal_data() const
   {
-    Eigen::MatrixXd data = Eigen::MatrixXd::Zero(4 * Eigen::Index(centers().size()), 1);
-    for(std::size_t i = 0; i < centers().size(); ++i)
-      data.block<3, 1>(4 * Eigen::Index(i) + 1, 0) = centers()[i].normal;
+    Eigen::MatrixXd data = Eigen::MatrixXd::Zero(4 * Eigen::Index(centers().size() + guides().size()), 1);
+    Eigen::Index row = 1;
+    for(const std::vector<Base_center>* part : { &centers(), &guides() })
+      for(const Base_center& c : *part)
+      {
+        data.block<3, 1>(row, 0) = c.normal;
+        row += 4;
+      }
     return data;
   }
 
@@ -159,7 +176,10 @@ private:
     const double length = double(rim().size()) * h;
     const std::size_t most = std::size_t(3 * length * length / (4 * 3.1416 * h * h)) + 60;
     std::vector<char> is_reached(m_footprints.size(), 0);
-    const auto try_sample = [&](Vector x, const Vector& from, const Vector& from_normal) -> bool
+    // the loop that each sample comes from, and loops that are joined: of each the smallest
+    std::vector<std::size_t> origin, joined(loops().size());
+    std::iota(joined.begin(), joined.end(), std::size_t(0));
+    const auto try_sample = [&](Vector x, const Vector& from, const Vector& from_normal, std::size_t loop) -> bool
     {
       Vector normal;
       if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h || !is_in_domain(x))
@@ -176,6 +196,9 @@ private:
         return false;
       grid.for_each_in_ball(x, 0.82 * h, [&](std::size_t s, double) {
         is_free = !is_same_side(normal, m_samples[s].normal);
+        if(!is_free && joined[origin[s]] != joined[loop])
+          std::replace(joined.begin(), joined.end(), (std::max)(joined[origin[s]], joined[loop]),
+                       (std::min)(joined[origin[s]], joined[loop]));
         return is_free; });
       if(!is_free)
         return false;
@@ -187,15 +210,16 @@ private:
         front.emplace_back(m_samples.size(), (x - from).normalized());
       grid.insert(x);
       m_samples.push_back(sample);
+      origin.push_back(loop);
       return true;
     };
-    for(const Rim_loop& loop : loops())
-      for(const Rim_point& p : loop.points)
+    for(std::size_t l = 0; l < loops().size(); ++l)
+      for(const Rim_point& p : loops()[l].points)
       {
         const Vector from = m_model.position(p.index);
         // the farther one first: a sample close to the rim is covered, starts nothing and would bar the other
-        try_sample(from + 1.4 * h * p.outward, from, m_model.normal(p.index));
-        try_sample(from + h * p.outward, from, m_model.normal(p.index));
+        try_sample(from + 1.4 * h * p.outward, from, m_model.normal(p.index), l);
+        try_sample(from + h * p.outward, from, m_model.normal(p.index), l);
       }
     const double farthest = diameter() + 6 * h;
     while(!front.empty())
@@ -208,7 +232,7 @@ private:
       const Vector v = sample.normal.cross(u);
       const double angle[] = {0, 1.0472, -1.0472, 2.0944, -2.0944, 3.1416};
       for(double t : angle)
-        try_sample(sample.position + h * (std::cos(t) * u + std::sin(t) * v), sample.position, sample.normal);
+        try_sample(sample.position + h * (std::cos(t) * u + std::sin(t) * v), sample.position, sample.normal, origin[a]);
       if(!m_domain && (m_samples.size() > most || (sample.position - loops().front().center).norm() > farthest))
       {
         m_is_closed = false;
@@ -216,6 +240,7 @@ private:
       }
     }
     m_is_closed = true;
+    m_joins_rims = std::all_of(joined.begin(), joined.end(), [](std::size_t l) { return l == 0; });
     for(std::size_t k = 0; k < is_reached.size(); ++k)
       if(is_reached[k])
         m_reached.push_back(m_footprint_index[k]);
@@ -273,13 +298,14 @@ private:
   const Model& m_model;
   double m_spacing;
   std::optional<Bbox_3> m_domain;
+  std::vector<Base_center> m_guides;
   std::unique_ptr<Polyharmonic_base> m_base;
   Eigen::VectorXd m_coefficients;
   std::vector<Vector> m_footprints, m_footprint_normals;
   std::vector<std::size_t> m_footprint_index;
   std::vector<Base_sample> m_samples;
   std::vector<std::size_t> m_reached;
-  bool m_is_closed = false;
+  bool m_is_closed = false, m_joins_rims = false;
 };
 
 } // namespace internal

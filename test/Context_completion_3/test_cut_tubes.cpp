@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+// Holes with two rims: tubes that were cut through, limbs cut off where they rise, bores.
+
+#include "include/engine_samples.h"
+
+#include <CGAL/Context_completion_3/internal/Completion_engine.h>
+#include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Surface_model.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+using namespace CGAL::Context_completions_3::internal;
+namespace samples = Test_surfaces;
+
+namespace {
+
+typedef CGAL::Sequential_tag Tag;
+typedef Detected_hole<Tag> Detected;
+
+const double plate_radius = 40, limb_radius = 6, fillet = 4, limb_length = 40;
+
+// A round limb that rises from a plate over a fillet and ends in a half ball: the profile turned around the z axis.
+samples::Samples limb_on_plate()
+{
+  const double quarter = samples::pi / 2, foot = limb_radius + fillet;
+  const double plate = plate_radius - foot, bend = fillet * quarter, tube = limb_length - fillet,
+               cap = limb_radius * quarter;
+  const double length = plate + bend + tube + cap;
+  samples::Random_offsets offset(7);
+  samples::Samples result;
+  const std::size_t rings = std::size_t(length / std::sqrt(0.75));
+  for(std::size_t k = 0; k < rings; ++k)
+  {
+    double s = (double(k) + 0.5) * length / double(rings), r, z, nr, nz;
+    if(s < plate)
+    {
+      r = plate_radius - s; z = 0; nr = 0; nz = 1;
+    }
+    else if((s -= plate) < bend)
+    {
+      const double a = s / fillet;
+      nr = std::sin(a); nz = std::cos(a);
+      r = foot - fillet * nr; z = fillet - fillet * nz;
+    }
+    else if((s -= bend) < tube)
+    {
+      r = limb_radius; z = fillet + s; nr = 1; nz = 0;
+    }
+    else
+    {
+      const double a = (s - tube) / limb_radius;
+      nr = std::cos(a); nz = std::sin(a);
+      r = limb_radius * nr; z = limb_length + limb_radius * nz;
+    }
+    const std::size_t around = (std::max)(std::size_t(1), std::size_t(2 * samples::pi * r));
+    for(std::size_t i = 0; i < around; ++i)
+    {
+      const double angle = (double(i) + (k % 2 == 0 ? 0. : 0.5) + 0.15 * offset()) * 2 * samples::pi / double(around);
+      result.emplace_back(samples::Point(r * std::cos(angle), r * std::sin(angle), z),
+                          samples::Vector(nr * std::cos(angle), nr * std::sin(angle), nz));
+    }
+  }
+  return result;
+}
+
+samples::Samples turned_inside_out(samples::Samples surface)
+{
+  for(samples::Oriented_point& s : surface)
+    s.second = -s.second;
+  return surface;
+}
+
+// Three quarters of the way around a torus, which leaves a gap that is longer than the tube is thick.
+samples::Samples cut_ring(double radius, double tube, double gap, samples::Samples& removed)
+{
+  samples::Random_offsets offset(3);
+  samples::Samples rest;
+  const std::size_t rings = std::size_t(2 * samples::pi * radius / std::sqrt(0.75));
+  const std::size_t around = std::size_t(2 * samples::pi * tube);
+  for(std::size_t k = 0; k < rings; ++k)
+    for(std::size_t i = 0; i < around; ++i)
+    {
+      const double u = (double(k) + 0.15 * offset()) * 2 * samples::pi / double(rings);
+      const double v = (double(i) + (k % 2 == 0 ? 0. : 0.5) + 0.15 * offset()) * 2 * samples::pi / double(around);
+      const samples::Vector n(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
+      const samples::Point p = samples::Point(radius * std::cos(u), radius * std::sin(u), 0) + tube * n;
+      (std::abs(u - samples::pi) < gap / radius / 2 ? removed : rest).emplace_back(p, n);
+    }
+  return rest;
+}
+
+struct Completed
+{
+  std::vector<Detected> holes;            // that are closed
+  std::vector<Added_point> added;
+
+  explicit Completed(const samples::Samples& surface)
+  {
+    const Surface_points points = samples::engine_points(surface);
+    const Surface_model<Tag> model(points);
+    std::vector<Detected> all;
+    EXPECT_TRUE(Hole_detection<Tag>(model).run(all, std::function<bool(double)>()));
+    for(const Detected& h : all)
+      if(!h.is_outer_border)
+        holes.push_back(h);
+    Completion_engine<Tag> engine(points, Engine_parameters());
+    EXPECT_TRUE(engine.detect(std::function<bool(double)>()));
+    std::vector<std::size_t> fillable;
+    for(std::size_t h = 0; h < engine.holes().size(); ++h)
+      if(engine.holes()[h].state == Hole_state::hole)
+        fillable.push_back(h);
+    EXPECT_TRUE(engine.complete(fillable, std::function<bool(double)>()));
+    added = engine.added();
+  }
+
+  // Both ways: largest distance of a new point from what was there, and of what was there from the new ones. The
+  // fillet is not to be foreseen.
+  void expect_that_restores(const samples::Samples& removed, double tolerance) const
+  {
+    std::vector<Vector> missing, restored;
+    for(const samples::Oriented_point& s : removed)
+      missing.push_back(samples::engine_vector(s.first));
+    for(const Added_point& p : added)
+      restored.push_back(p.position);
+    ASSERT_FALSE(restored.empty());
+    EXPECT_NEAR(double(restored.size()), double(missing.size()), 0.2 * double(missing.size()));
+    for(const Vector& p : restored)
+      EXPECT_LT(samples::nearest_distance(p, missing), tolerance) << p.transpose();
+    for(const Vector& p : missing)
+      EXPECT_LT(samples::nearest_distance(p, restored), tolerance) << p.transpose();
+  }
+};
+
+} // namespace
+
+TEST(Cut_tubes, A_limb_that_is_cut_off_where_it_rises_is_joined_to_its_body)
+{
+  samples::Samples removed;
+  const Completed result(samples::without_ball(limb_on_plate(), samples::Point(0, 0, 4), 14., &removed));
+  ASSERT_EQ(result.holes.size(), 1u);
+  EXPECT_EQ(result.holes.front().loops.size(), 2u);
+  result.expect_that_restores(removed, 3.);
+}
+
+TEST(Cut_tubes, A_bore_is_joined_to_the_wall_into_which_it_leads)
+{
+  samples::Samples removed;
+  const Completed result(samples::without_ball(turned_inside_out(limb_on_plate()), samples::Point(0, 0, 4), 14.,
+                                               &removed));
+  ASSERT_EQ(result.holes.size(), 1u);
+  EXPECT_EQ(result.holes.front().loops.size(), 2u);
+  result.expect_that_restores(removed, 3.);
+}
+
+TEST(Cut_tubes, An_end_and_a_rim_that_bound_different_sides_are_not_joined)
+{
+  samples::Samples surface = samples::without_ball(limb_on_plate(), samples::Point(0, 0, 4), 14.);
+  for(samples::Oriented_point& s : surface)
+    if(s.first.z() > 1)                   // the limb, not the plate
+      s.second = -s.second;
+  const Surface_points points = samples::engine_points(surface);
+  const Surface_model<Tag> model(points);
+  std::vector<Detected> holes;
+  ASSERT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+  for(const Detected& h : holes)
+    EXPECT_EQ(h.loops.size(), 1u);
+}
+
+TEST(Cut_tubes, The_ends_of_a_bent_tube_are_joined_over_a_gap_longer_than_it_is_thick)
+{
+  samples::Samples removed;
+  const Completed result(cut_ring(40., 6., 24., removed));
+  ASSERT_EQ(result.holes.size(), 1u);
+  EXPECT_EQ(result.holes.front().loops.size(), 2u);
+  result.expect_that_restores(removed, 3.);
+}
