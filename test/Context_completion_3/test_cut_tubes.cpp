@@ -15,6 +15,8 @@
 
 #include <CGAL/Context_completion_3/internal/Completion_engine.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Rim_detection.h>
+#include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
 #include <CGAL/tags.h>
@@ -107,6 +109,51 @@ samples::Samples cut_ring(double radius, double tube, double gap, samples::Sampl
   return rest;
 }
 
+// A beam along z whose cross section is a regular triangle: the edges are acute. The middle is missing.
+samples::Samples cut_prism(double side, double length, double gap, samples::Samples& removed)
+{
+  samples::Random_offsets offset(5);
+  samples::Samples rest;
+  for(int face = 0; face < 3; ++face)
+  {
+    const double turn = 2 * samples::pi * face / 3, apothem = side / std::sqrt(12.);
+    const samples::Vector n(std::cos(turn), std::sin(turn), 0), across(-n.y(), n.x(), 0), up(0, 0, 1);
+    for(double z = 0; z < length; z += 1)
+      for(double x = 0.5; x < side; x += 1)
+      {
+        const double height = z + 0.15 * offset();
+        const samples::Point p =
+          CGAL::ORIGIN + apothem * n + (x - side / 2 + 0.15 * offset()) * across + height * up;
+        (std::abs(height - length / 2) < gap / 2 ? removed : rest).emplace_back(p, n);
+      }
+  }
+  return rest;
+}
+
+// The two borders of a cylinder, each in two pieces between which rim points are missing on either side.
+struct Broken_rims
+{
+  Surface_points points;
+  std::vector<Rim_loop> loops;
+
+  Broken_rims() : points(samples::engine_points(samples::cylinder(40, 15, 40 / (2 * samples::pi))))
+  {
+    const Surface_model<Tag> model(points);
+    for(const Rim_loop& whole : Rim_detection<Tag>(model).loops())
+    {
+      Rim_loop pieces[2];
+      for(const Rim_point& p : whole.points)
+        if(std::abs(points.position[p.index].y()) > 0.8)
+          pieces[points.position[p.index].y() > 0].points.push_back(p);
+      for(Rim_loop& piece : pieces)
+      {
+        piece.measure(points);
+        loops.push_back(piece);
+      }
+    }
+  }
+};
+
 struct Completed
 {
   std::vector<Detected> holes;            // that are closed
@@ -191,4 +238,27 @@ TEST(Cut_tubes, The_ends_of_a_bent_tube_are_joined_over_a_gap_longer_than_it_is_
   ASSERT_EQ(result.holes.size(), 1u);
   EXPECT_EQ(result.holes.front().loops.size(), 2u);
   result.expect_that_restores(removed, 3.);
+}
+
+TEST(Cut_tubes, Rims_in_pieces_are_joined)
+{
+  samples::Samples removed;
+  const Completed result(cut_prism(14., 60., 10., removed));
+  ASSERT_EQ(result.holes.size(), 1u);
+  result.expect_that_restores(removed, 1.5);
+}
+
+TEST(Cut_tubes, Pieces_that_follow_each_other_are_one_rim)
+{
+  const Broken_rims broken;
+  ASSERT_EQ(broken.loops.size(), 4u);
+  const Surface_model<Tag> model(broken.points);
+  const Rim_grouping<Tag> grouping(model, broken.loops);
+  const std::vector<std::size_t> first = { 0, 1 }, second = { 2, 3 };
+  EXPECT_EQ(grouping.pieces_of_rim(0), first);
+  EXPECT_EQ(grouping.pieces_of_rim(3), second);
+  EXPECT_EQ(grouping.joined(first).points.size(), broken.loops[0].points.size() + broken.loops[1].points.size());
+  // the ends of the tube turn away from each other, and each opens to one side
+  EXPECT_TRUE(grouping.facing_rims(first).empty());
+  EXPECT_FALSE(grouping.surrounds_hole(first));
 }

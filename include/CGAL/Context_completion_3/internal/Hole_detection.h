@@ -260,22 +260,24 @@ private:
     }
   }
 
-  // Over both rims of a tube: the smooth base if it joins them or, where it closes each alone or runs off, one that is
-  // led from the one to the other.
+  // Over both rims of a tube: the smooth base if it joins them and, where it closes each alone, runs off or bulges, one
+  // that is led from the one to the other.
   std::shared_ptr<const Patch> base_of_tube(const std::vector<Rim_loop>& loops, const Grouping& grouping,
+                                            const std::vector<std::size_t>& rim, const std::vector<std::size_t>& other,
                                             std::vector<std::size_t>& group) const
   {
-    const std::vector<std::size_t> pair = group;
+    std::vector<std::size_t> both = rim;
+    both.insert(both.end(), other.begin(), other.end());
+    group = both;
     const auto patch = closed_base(loops, grouping, group);
-    if(patch && patch->joins_rims())
-      return patch;
-    const std::vector<Rim_loop> rims = { loops[pair[0]], loops[pair[1]] };
+    const std::vector<Rim_loop> rims = { grouping.joined(rim), grouping.joined(other) };
     const auto led = std::make_shared<const Patch>(
       std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, rims), false, std::nullopt,
       Tube_bridge<ConcurrencyTag>(m_model, rims[0], rims[1]).rings());
-    if(!led->is_closed() || !led->joins_rims() || !is_evident(*led))
+    if(!led->is_closed() || !led->joins_rims() || !is_evident(*led) ||
+       (patch && patch->joins_rims() && !is_bulge(*patch, *led)))
       return patch;
-    group = pair;
+    group = both;
     return led;
   }
 
@@ -283,13 +285,14 @@ private:
   std::shared_ptr<const Patch> base_of_whole_rim(const std::vector<Rim_loop>& loops, const Grouping& grouping,
                                                  std::size_t l, std::vector<std::size_t>& group) const
   {
-    const std::size_t partner = grouping.facing_loop(l);
-    if(partner != no_index)
-    {
-      group = { l, partner };
-      if(const auto patch = base_of_tube(loops, grouping, group))
-        return patch;
-    }
+    const std::vector<std::size_t> pieces = grouping.pieces_of_rim(l);
+    std::vector<std::vector<std::size_t> > rims(1, std::vector<std::size_t>(1, l));
+    if(pieces.size() > 1)
+      rims.push_back(pieces);
+    for(const std::vector<std::size_t>& rim : rims)
+      for(const std::vector<std::size_t>& other : grouping.facing_rims(rim))
+        if(const auto patch = base_of_tube(loops, grouping, rim, other, group))
+          return patch;
     group.assign(1, l);
     const double opening = loops[l].opening(m_model.points(), loops[l].center);
     // turned away altogether: the border of a sheet or of an island
@@ -303,22 +306,35 @@ private:
     return patch;
   }
 
-  // Relief that the rim cuts can lead the base up or down, into a bulge: its area, by the number of samples, is clearly
-  // larger than that of a stiff base, which passes between. \return the stiff base then, otherwise none
-  static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
+  // by the number of samples clearly larger than another
+  static bool is_bulge(const Patch& patch, const Patch& other)
   {
-    const double bulge = 1.15;
-    const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
-    const bool is_smaller = double(patch.samples().size()) > bulge * double(stiff->samples().size());
-    return stiff->is_closed() && is_evident(*stiff) && is_smaller ? stiff : nullptr;
+    return double(patch.samples().size()) > 1.15 * double(other.samples().size());
   }
 
-  // A rim that sharp edges cut into pieces: each piece alone lets the base run off, or opens to nowhere. Loops that
-  // open towards a common place are added, the nearest first, until the base is closed. Relief or edges at a whole rim
-  // can lead the base away, too, which a stiff one resists.
+  // Relief that the rim cuts can lead the base up or down, into a bulge, which a stiff base passes between. \return the
+  // stiff base then, otherwise none
+  static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
+  {
+    const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
+    return stiff->is_closed() && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
+  }
+
+  // A rim that sharp edges cut into pieces: each piece alone lets the base run off, or opens to nowhere. Either the
+  // pieces follow each other, or loops that open towards a common place are added, the nearest first, until the base is
+  // closed. Relief or edges at a whole rim can lead the base away, too, which a stiff one resists.
   std::shared_ptr<const Patch> base_of_broken_rim(const std::vector<Rim_loop>& loops, const Grouping& grouping,
                                                   std::size_t l, std::vector<std::size_t>& group) const
   {
+    for(bool is_stiff : { false, true })
+    {
+      group = grouping.pieces_of_rim(l);
+      if(group.size() < 2 || !grouping.surrounds_hole(group))
+        break;
+      const auto patch = closed_base(loops, grouping, group, is_stiff);
+      if(patch && patch->joins_rims() && is_evident(*patch))
+        return patch;
+    }
     group.assign(1, l);
     for(std::size_t n = 0; n < most_fragments(); ++n)
     {

@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 
 #include <Eigen/Cholesky>
@@ -22,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +48,7 @@ public:
     for(std::size_t l = 0; l < loops.size(); ++l)
       for(const Rim_point& p : loops[l].points)
         m_loop_of_point[p.index] = l;
+    join_pieces();
   }
 
   bool is_used(std::size_t l) const { return m_is_used[l]; }
@@ -58,31 +62,67 @@ public:
   /// Mean cosine, of directions or of normals; a hole in a sphere reaches it when it takes off nearly half of it.
   static double least_opening() { return 0.25; }
 
-  /*!
-    The other side of a tube that was cut through: two ends that open towards each other, or an end that points at a rim
-    in the surface from which the tube rises, a limb from a body or a bore from a wall. `no_index` if there is none.
-  */
-  std::size_t facing_loop(std::size_t l) const
+  /// Loops that follow each other over short gaps, as the pieces of a rim do that edges cut; those in use are left out.
+  std::vector<std::size_t> pieces_of_rim(std::size_t l) const
   {
-    const Rim_loop& a = m_loops[l];
-    std::size_t best = no_index;
-    double shortest = 0;
+    std::vector<std::size_t> pieces;
+    for(std::size_t m = 0; m < m_loops.size(); ++m)
+      if(m_rim_of_loop[m] == m_rim_of_loop[l] && !m_is_used[m])
+        pieces.push_back(m);
+    return pieces;
+  }
+
+  /// Whether some loops together open towards their centre, and more so than to one side, as pieces of a border do.
+  bool surrounds_hole(const std::vector<std::size_t>& group) const
+  {
+    const Rim_loop rim = joined(group);
+    const double to_center = opening(rim, rim.center);
+    return to_center >= least_opening() && to_center > sum_of_outward(rim).norm() / double(rim.points.size());
+  }
+
+  /// Some loops as one.
+  Rim_loop joined(const std::vector<std::size_t>& group) const
+  {
+    Rim_loop result;
+    for(std::size_t l : group)
+      result.points.insert(result.points.end(), m_loops[l].points.begin(), m_loops[l].points.end());
+    result.measure(m_model.points());
+    return result;
+  }
+
+  /*!
+    What can be the other side of a tube that was cut through: of two ends that open towards each other, or of an end
+    that points at a rim in the surface from which the tube rises, a limb from a body or a bore from a wall.
+    \return single loops and rims of several pieces, the nearest first
+  */
+  std::vector<std::vector<std::size_t> > facing_rims(const std::vector<std::size_t>& rim) const
+  {
+    const Rim_loop a = joined(rim);
+    std::vector<std::pair<double, std::vector<std::size_t> > > found;
+    if(a.points.size() < fewest_tube_points())
+      return {};
+    const auto consider = [&](const std::vector<std::size_t>& group)
+    {
+      const Rim_loop b = joined(group);
+      const double distance = (a.center - b.center).norm();
+      if(b.points.size() >= fewest_tube_points() && b.diameter >= 0.4 * a.diameter && distance <= 2.5 * a.diameter &&
+         (are_ends(a, b) || rises(a, b) || rises(b, a)))
+        found.emplace_back(distance, group);
+    };
     for(std::size_t m = 0; m < m_loops.size(); ++m)
     {
-      const Rim_loop& b = m_loops[m];
-      if(m == l || m_is_used[m] || a.points.size() < fewest_tube_points() || b.points.size() < fewest_tube_points() ||
-         b.diameter < 0.4 * a.diameter)
+      if(m_is_used[m] || std::find(rim.begin(), rim.end(), m) != rim.end())
         continue;
-      const double distance = (a.center - b.center).norm();
-      if(distance > 2.5 * a.diameter || !(are_ends(a, b) || rises(a, b) || rises(b, a)))
-        continue;
-      if(best == no_index || distance < shortest)
-      {
-        best = m;
-        shortest = distance;
-      }
+      consider(std::vector<std::size_t>(1, m));
+      const std::vector<std::size_t> pieces = pieces_of_rim(m);
+      if(pieces.size() > 1 && pieces.front() == m && m_rim_of_loop[m] != m_rim_of_loop[rim.front()])
+        consider(pieces);
     }
-    return best;
+    std::stable_sort(found.begin(), found.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    std::vector<std::vector<std::size_t> > result;
+    for(const auto& f : found)
+      result.push_back(f.second);
+    return result;
   }
 
   /// The nearest loop that opens towards the same place as all of `group`; `no_index` if there is none.
@@ -125,10 +165,45 @@ public:
   }
 
 private:
+  // A gap in which one more link would stand.
+  void join_pieces()
+  {
+    std::vector<std::size_t> index;
+    std::vector<Vector> positions;
+    m_rim_of_loop.resize(m_loops.size());
+    std::iota(m_rim_of_loop.begin(), m_rim_of_loop.end(), std::size_t(0));
+    for(const Rim_loop& loop : m_loops)
+      for(const Rim_point& p : loop.points)
+      {
+        index.push_back(p.index);
+        positions.push_back(m_model.position(p.index));
+      }
+    const Neighbor_search search(positions);
+    std::vector<std::size_t> ball;
+    for(std::size_t i : index)
+    {
+      search.in_ball(m_model.position(i), 4 * m_model.area_spacing(i), ball);
+      for(std::size_t j : ball)
+      {
+        const std::size_t a = m_rim_of_loop[m_loop_of_point[i]], b = m_rim_of_loop[m_loop_of_point[index[j]]];
+        if(a != b)
+          std::replace(m_rim_of_loop.begin(), m_rim_of_loop.end(), (std::max)(a, b), (std::min)(a, b));
+      }
+    }
+  }
+
   // the end of a tube is a ring
   static std::size_t fewest_tube_points() { return 6; }
 
   double opening(const Rim_loop& loop, const Vector& target) const { return loop.opening(m_model.points(), target); }
+
+  static Vector sum_of_outward(const Rim_loop& loop)
+  {
+    Vector sum = Vector::Zero();
+    for(const Rim_point& p : loop.points)
+      sum += p.outward;
+    return sum;
+  }
 
   // A rim in a surface opens towards its own centre, that of an end less so.
   bool is_end(const Rim_loop& loop) const { return opening(loop, loop.center) <= 0.6; }
@@ -143,9 +218,7 @@ private:
   // The axis of an end leads through the rim, which opens towards the end, and both bound the same side of the surface.
   bool rises(const Rim_loop& end, const Rim_loop& rim) const
   {
-    Vector axis = Vector::Zero();
-    for(const Rim_point& p : end.points)
-      axis += p.outward;
+    Vector axis = sum_of_outward(end);
     const double length = axis.norm();
     if(!is_end(end) || length < 0.6 * double(end.points.size()))
       return false;
@@ -226,6 +299,7 @@ private:
   const Model& m_model;
   const std::vector<Rim_loop>& m_loops;
   std::vector<std::size_t> m_loop_of_point;
+  std::vector<std::size_t> m_rim_of_loop;   // the smallest of the loops that are pieces of one rim
   std::vector<char> m_is_used;
 };
 

@@ -173,8 +173,9 @@ private:
     for(const Vector& x : m_footprints)
       known.insert(x);
     std::deque<std::pair<std::size_t, Vector> > front;
-    const double length = double(rim().size()) * h;
-    const std::size_t most = std::size_t(3 * length * length / (4 * 3.1416 * h * h)) + 60;
+    // three discs of this rim; between two rims a tube as long as they are apart
+    const double length = double(rim().size()), around = loops().size() > 1 ? length : 0;
+    const std::size_t most = 60 + std::size_t(3 * length * length / (4 * 3.1416) + around * diameter() / h);
     std::vector<char> is_reached(m_footprints.size(), 0);
     // the loop that each sample comes from, and loops that are joined: of each the smallest
     std::vector<std::size_t> origin, joined(loops().size());
