@@ -466,6 +466,61 @@ TEST(Default_policy, Tiles_whose_relief_leads_the_base_astray_are_filled_from_ot
   expect_copy(result, removed);
 }
 
+// The plan of the least error over a hole in a plane, for eight places whose rim is that plane, as far as can be told. So
+// many of them have a hill in the middle. They match the hole a little better than the others, and each kind matches
+// itself best. \return the height in the middle
+double planned_height_on_plane(std::size_t with_hill)
+{
+  typedef CGAL::Sequential_tag Tag;
+  const Surface_points points = samples::engine_points(samples::plane_with_hole());
+  const Surface_model<Tag> model(points);
+  std::vector<Detected_hole<Tag> > holes;
+  EXPECT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+  std::shared_ptr<const Smooth_patch<Tag> > patch;
+  Vector middle = Vector::Zero();
+  for(const Detected_hole<Tag>& h : holes)
+    if(!h.is_outer_border)
+    {
+      patch = h.patch;
+      middle = h.center();
+    }
+  if(!patch)
+    return 1e300;
+  const double radius = patch->diameter() / 2;
+  const Eigen::Index samples = Eigen::Index(patch->samples().size()), centers = Eigen::Index(patch->centers().size());
+  std::vector<Place> places(8);
+  std::vector<Place_relief> reliefs(8);
+  for(std::size_t i = 0; i < places.size(); ++i)
+  {
+    places[i].origin = Vector(3 * radius * double(i), 0, 0);
+    const bool is_hilly = i < with_hill;
+    reliefs[i].rim = Eigen::VectorXd::Constant(4 * centers, (is_hilly ? 0. : 0.01) + 1e-4 * double(i));
+    reliefs[i].is_found.assign(std::size_t(centers), 1);
+    reliefs[i].height = Eigen::VectorXd::Zero(samples);
+    reliefs[i].is_covered.assign(std::size_t(samples), 1);
+    reliefs[i].coverage = 1;
+    for(Eigen::Index s = 0; is_hilly && s < samples; ++s)
+      if((patch->samples()[std::size_t(s)].position - middle).norm() < 0.6 * radius)
+        reliefs[i].height[s] = 2;
+  }
+  const Copy_forecast<Tag> forecast(*patch, Base_family<Tag>(*patch), places, reliefs, radius, Ingredients());
+  Plan_forecast best;
+  for(const Plan_forecast& f : forecast.forecasts())
+    if(f.plan.places == 0 || f.error < best.error)
+      best = f;
+  return forecast.heights(best.plan).cwiseAbs().maxCoeff();
+}
+
+TEST(Copy_forecast, A_hill_that_all_places_of_the_same_rim_have_is_copied)
+{
+  EXPECT_NEAR(planned_height_on_plane(8), 2., 0.1);
+}
+
+TEST(Copy_forecast, A_hill_that_a_few_places_of_the_same_rim_have_is_not_copied)
+{
+  EXPECT_LT(planned_height_on_plane(2), 0.6);
+}
+
 TEST(Copy_forecast, A_place_without_a_wall_of_the_rim_does_not_match)
 {
   typedef CGAL::Sequential_tag Tag;

@@ -228,6 +228,9 @@ private:
     return loss;
   }
 
+  // the heights of place `j`, which is among the best ones of `k`, there
+  Eigen::VectorXd carried(std::size_t k, std::size_t j) const { return m_reliefs[j].height + warp(k, j); }
+
   // of place `j`, which is among the best ones of `k`
   const Eigen::VectorXd& warp(std::size_t k, std::size_t j) const
   {
@@ -265,7 +268,9 @@ private:
   }
 
   // A copy that is to be believed and the smooth base cannot both be right where they differ. A feature that the rim
-  // does not show is known from its twin alone; the smooth base did well on fake holes without one.
+  // does not show is known from its twin alone; the smooth base did well on fake holes without one. And twins that
+  // differ from each other by more than they forecast cannot all be right: a plane matches planes with and without a
+  // feature alike. Which of them the hole is like is open then, for copies and for the smooth base.
   void contradict(std::vector<Plan_forecast>& forecasts) const
   {
     std::size_t best = 0;
@@ -275,10 +280,33 @@ private:
     const double belief = forecasts[best].belief();
     if(belief == 0)
       return;
-    const Eigen::VectorXd difference =
-      predict(forecasts[best].plan, target) - m_smooth.col(m_statistics.column(target));
-    forecasts[0].error = std::hypot(forecasts[0].error, belief * difference.cwiseAbs().mean());
-    forecasts[0].upper = (std::max)(forecasts[0].upper, forecasts[0].error);
+    const Eigen::VectorXd smooth = m_smooth.col(m_statistics.column(target));
+    double difference = (predict(forecasts[best].plan, target) - smooth).cwiseAbs().mean();
+    if(distance_from_twins(forecasts[best].plan) > 2 * forecasts[best].error + 0.05 * m_patch.spacing())
+    {
+      difference = distance_from_twins(Filling_plan());
+      for(Plan_forecast& forecast : forecasts)
+        if(forecast.belief() > 0)
+          raise(forecast, (std::max)(forecast.error, forecast.belief() * distance_from_twins(forecast.plan)));
+    }
+    raise(forecasts[0], std::hypot(forecasts[0].error, belief * difference));
+  }
+
+  static void raise(Plan_forecast& forecast, double error)
+  {
+    forecast.error = error;
+    forecast.upper = (std::max)(forecast.upper, error);
+  }
+
+  // Of a plan, taken for whole: mean over the places that match the hole as well as the best one.
+  double distance_from_twins(const Filling_plan& plan) const
+  {
+    const Eigen::VectorXd heights = predict(Filling_plan(plan.places, 1), target);
+    const std::vector<double> weights = m_statistics.twins(most_places);
+    double sum = 0;
+    for(std::size_t r = 0; r < weights.size(); ++r)
+      sum += weights[r] * (heights - carried(target, ranking()[r])).cwiseAbs().mean();
+    return sum;
   }
 
   // Errors of the smooth base grow with the roughness of the surroundings, those of a copy with the mismatch.
@@ -313,7 +341,7 @@ private:
     if(plan.places == 0 || m_statistics.ranking(k).empty())
       return smooth;
     const Eigen::VectorXd copy = m_statistics.mean_over_best(plan.places, k, [&](std::size_t j) -> Eigen::VectorXd
-      { return m_reliefs[j].height + warp(k, j); });
+      { return carried(k, j); });
     return smooth + plan.share * (copy - smooth);
   }
 

@@ -91,6 +91,23 @@ public:
     return double(used) / inverse;
   }
 
+  /// Weights, of sum 1, of so many best places of the hole: of those that match it as well as the very best does.
+  std::vector<double> twins(std::size_t most) const
+  {
+    const std::vector<std::size_t>& order = ranking(target);
+    std::vector<double> weights;
+    double total = 0;
+    for(std::size_t r = 0; r < most && r < order.size(); ++r)
+    {
+      const double least = mismatch(target, order.front());
+      weights.push_back(std::exp((least - mismatch(target, order[r])) / (0.001 + 0.1 * least)));
+      total += weights.back();
+    }
+    for(double& w : weights)
+      w /= total;
+    return weights;
+  }
+
   /// Mean of a field over so many best places of `k`; better matches count more.
   /// \param field of a place, a vector
   template <typename Field>
