@@ -14,6 +14,7 @@
 #include "include/engine_samples.h"
 
 #include <CGAL/Context_completion_3/internal/Completion_engine.h>
+#include <CGAL/Context_completion_3/internal/Patch_transfer.h>
 
 #include <CGAL/tags.h>
 
@@ -21,8 +22,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -224,4 +228,52 @@ TEST(Keep_texture, Is_the_same_where_there_is_none)
     EXPECT_TRUE(with.added[i].position == without.added[i].position);
     EXPECT_EQ(with.added[i].source, without.added[i].source);
   }
+}
+
+// A rough sheet with a hole, from which another part of it, with a ledge, is carried there; nothing is planned but the
+// plane. \return the largest height of a carried point
+double highest_carried(bool is_whole)
+{
+  typedef CGAL::Sequential_tag Tag;
+  Random_relief relief(3);
+  relief.add(0.05, 4, 30);
+  samples::Samples sheet = samples::graph(60, 1., [&](double x, double y)
+    { return relief.height(x, y) + (x > 40 && x < 43 && y > 18 && y < 30 ? 1.3 : 0.); },
+    [&](double x, double y) { return relief.gradient(x, y); });
+  std::vector<Example_source<Tag> > sources(1);
+  sources[0].points =
+    std::make_shared<Surface_points>(samples::engine_points(samples::without_ball(sheet, samples::Point(16, 24, 0), 6.)));
+  sources[0].model = std::make_shared<Surface_model<Tag> >(*sources[0].points);
+  std::vector<Detected_hole<Tag> > holes;
+  EXPECT_TRUE(Hole_detection<Tag>(*sources[0].model).run(holes, std::function<bool(double)>()));
+  std::shared_ptr<const Smooth_patch<Tag> > patch;
+  for(const Detected_hole<Tag>& h : holes)
+    if(!h.is_outer_border && (h.center() - Vector(16, 24, 0)).norm() < 2)
+      patch = h.patch;
+  if(!patch)
+    return -1;
+  const Relief_sampler<Tag> sampler(*patch, sources);
+  const Eigen::Index number = Eigen::Index(patch->samples().size());
+  Hole_relief planned;
+  planned.heights = planned.errors = Eigen::VectorXd::Zero(number);
+  planned.copy.assign(patch->samples().size(), 0);
+  planned.copies.resize(1);
+  planned.copies[0].place.motion.translation = Vector(-25, 0, 0);
+  planned.copies[0].place.origin = Vector(41, 24, 0);
+  planned.copies[0].displacement = Eigen::VectorXd::Zero(number);
+  planned.copies[0].is_whole = is_whole;
+  planned.copies[0].tolerance = is_whole ? sampler.height_limit() : 1.5 * patch->spacing();
+  double highest = -1;
+  const Patch_transfer<Tag> transfer(*sources[0].model, *patch, sampler, sources);
+  for(const Added_point& p : transfer.points(planned))
+    highest = (std::max)(highest, p.position.z());
+  return highest;
+}
+
+TEST(Keep_texture, A_ledge_of_the_place_is_no_texture)
+{
+  const double texture = highest_carried(false);
+  EXPECT_GT(texture, 0.05);
+  EXPECT_LT(texture, 0.6);
+  EXPECT_GT(highest_carried(true), 1.2);
 }

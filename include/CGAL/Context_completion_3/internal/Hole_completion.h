@@ -127,7 +127,8 @@ public:
     result.copies.emplace_back();
     result.copies.back().place = *place;
     result.copies.back().displacement = displacement;
-    // a copy may overhang the base; a part of one, or a texture, has no reason to leave the plan
+    // a part of a copy, or a texture, has no reason to leave the plan
+    result.copies.back().is_whole = chosen.plan.share > 0.9;
     result.copies.back().tolerance = chosen.plan.share > 0.9 ? match.sampler->height_limit() : 1.5 * patch.spacing();
     result.copy.assign(patch.samples().size(), 0);
     return result;

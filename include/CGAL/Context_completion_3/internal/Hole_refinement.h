@@ -195,6 +195,7 @@ public:
       const double blend = (1 - piece.weights[i]) * (m_relief.heights[s] - result.heights[p]);
       result.carried.displacement[s] = displacement + blend;
     }
+    result.carried.is_whole = is_whole;
     result.carried.tolerance = is_whole ? m_sampler->height_limit() : 1.5 * m_patch->spacing();
     return result;
   }

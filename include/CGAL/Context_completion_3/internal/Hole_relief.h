@@ -32,6 +32,7 @@ struct Carried_place
   Place place;
   Eigen::VectorXd displacement;          ///< per sample of the base
   double tolerance = 0;                  ///< points that come to lie farther from the planned heights are left out
+  bool is_whole = false;                 ///< may overhang the base; otherwise what stands out of the rest is left out
 };
 
 /// The planned surface of a hole: heights over its base, and whose points are carried there.

@@ -80,6 +80,7 @@ private:
     std::vector<Vector> carried_foot;
     std::vector<std::size_t> carried_index;
     std::vector<char> is_planned;
+    std::vector<double> misses;
     for(std::size_t i : indices)
     {
       Vector x = place.motion(source.model->position(i));
@@ -100,6 +101,7 @@ private:
       const double miss = std::abs(up + shift - relief.heights[Eigen::Index(foot.first)]);
       if(miss > carried_place.tolerance)
         continue;
+      misses.push_back(miss);
       is_planned.push_back(miss <= 2 * m_patch.spacing() && point.normal.dot(b.normal) > 0);
       point.position = x + shift * direction;
       point.normal = (point.normal - gradient * point.normal.dot(direction)).normalized();
@@ -109,13 +111,29 @@ private:
       carried_index.push_back(i);
       carried_foot.push_back(x - up * b.normal);
     }
-    join(*source.model, carried_index, is_planned);
+    if(carried_place.is_whole)
+      join(*source.model, carried_index, is_planned);
+    else
+      drop_outliers(misses, is_planned);
     for(std::size_t k = 0; k < carried.size(); ++k)
       if(is_planned[k])
       {
         feet.insert(carried_foot[k]);
         add(carried[k], 0.6, 0.8, 1.2, grid, result);
       }
+  }
+
+  // Of texture and noise; what stands out much farther than most is a fold or a wall of the place.
+  static void drop_outliers(const std::vector<double>& misses, std::vector<char>& is_planned)
+  {
+    if(misses.empty())
+      return;
+    std::vector<double> sorted = misses;
+    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+    const double largest = 5 * sorted[sorted.size() / 2];
+    for(std::size_t k = 0; k < misses.size(); ++k)
+      if(misses[k] > largest)
+        is_planned[k] = 0;
   }
 
   // Walls and overhangs that the planned heights miss belong to the surface as far as they hang together with it; the
