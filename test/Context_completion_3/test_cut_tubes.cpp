@@ -207,6 +207,19 @@ TEST(Cut_tubes, A_limb_that_is_cut_off_where_it_rises_is_joined_to_its_body)
   result.expect_that_restores(removed, 3.);
 }
 
+TEST(Cut_tubes, A_limb_is_joined_to_a_hole_that_is_far_wider)
+{
+  const Surface_points points = samples::engine_points(
+    samples::without_ball(limb_on_plate(), samples::Point(0, 0, 4), 24.));
+  const Surface_model<Tag> model(points);
+  std::vector<Detected> holes;
+  ASSERT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+  const auto hole = std::find_if(holes.begin(), holes.end(), [](const Detected& h) { return !h.is_outer_border; });
+  ASSERT_TRUE(hole != holes.end());
+  ASSERT_EQ(hole->loops.size(), 2u);
+  EXPECT_LT(hole->loops[1].diameter, 0.3 * hole->loops[0].diameter);
+}
+
 TEST(Cut_tubes, A_bore_is_joined_to_the_wall_into_which_it_leads)
 {
   samples::Samples removed;

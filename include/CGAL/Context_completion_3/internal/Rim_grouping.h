@@ -105,7 +105,9 @@ public:
     {
       const Rim_loop b = joined(group);
       const double distance = (a.center - b.center).norm();
-      if(b.points.size() >= fewest_tube_points() && b.diameter >= 0.4 * a.diameter && distance <= 2.5 * a.diameter &&
+      // a hole in a body can be far wider than the limb that it cuts off
+      const double smallest = a.diameter * (rises(b, a) ? 0.2 : 0.4);
+      if(b.points.size() >= fewest_tube_points() && b.diameter >= smallest && distance <= 2.5 * a.diameter &&
          (are_ends(a, b) || rises(a, b) || rises(b, a)))
         found.emplace_back(distance, group);
     };
