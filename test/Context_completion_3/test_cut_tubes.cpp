@@ -37,10 +37,10 @@ namespace {
 typedef CGAL::Sequential_tag Tag;
 typedef Detected_hole<Tag> Detected;
 
-const double plate_radius = 40, limb_radius = 6, fillet = 4, limb_length = 40;
+const double plate_radius = 40, fillet = 4, limb_length = 40;
 
 // A round limb that rises from a plate over a fillet and ends in a half ball: the profile turned around the z axis.
-samples::Samples limb_on_plate()
+samples::Samples limb_on_plate(double limb_radius = 6)
 {
   const double quarter = samples::pi / 2, foot = limb_radius + fillet;
   const double plate = plate_radius - foot, bend = fillet * quarter, tube = limb_length - fillet,
@@ -251,6 +251,25 @@ TEST(Cut_tubes, The_ends_of_a_bent_tube_are_joined_over_a_gap_longer_than_it_is_
   ASSERT_EQ(result.holes.size(), 1u);
   EXPECT_EQ(result.holes.front().loops.size(), 2u);
   result.expect_that_restores(removed, 3.);
+}
+
+// A stiff base that bulges less is a second opinion; over a thin limb it may close both ends, and is smaller therefore.
+TEST(Cut_tubes, No_base_closes_the_ends_of_a_thin_limb_that_another_joins)
+{
+  const double radii[][2] = { { 3, 14 }, { 3.5, 14 }, { 3.5, 16 }, { 4, 18 } };   // of the limb, of the ball cut out
+  for(const double* r : radii)
+  {
+    const Surface_points points = samples::engine_points(
+      samples::without_ball(limb_on_plate(r[0]), samples::Point(0, 0, 4), r[1]));
+    const Surface_model<Tag> model(points);
+    std::vector<Detected> holes;
+    ASSERT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+    const auto hole = std::find_if(holes.begin(), holes.end(), [](const Detected& h) { return !h.is_outer_border; });
+    ASSERT_TRUE(hole != holes.end());
+    EXPECT_EQ(hole->loops.size(), 2u) << "limb " << r[0] << ", hole " << r[1];
+    EXPECT_TRUE(hole->patch->joins_rims()) << "limb " << r[0] << ", hole " << r[1];
+    EXPECT_TRUE(!hole->stiff || hole->stiff->joins_rims()) << "limb " << r[0] << ", hole " << r[1];
+  }
 }
 
 TEST(Cut_tubes, Rims_in_pieces_are_joined)

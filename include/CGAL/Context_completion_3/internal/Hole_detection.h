@@ -312,12 +312,13 @@ private:
     return double(patch.samples().size()) > 1.15 * double(other.samples().size());
   }
 
-  // Relief that the rim cuts can lead the base up or down, into a bulge, which a stiff base passes between. \return the
-  // stiff base then, otherwise none
+  // Relief that the rim cuts can lead the base up or down, into a bulge, which a stiff base passes between. One that
+  // closes the ends of a tube is smaller, too, and no answer. \return the stiff base then, otherwise none
   static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
   {
     const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
-    return stiff->is_closed() && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
+    const bool is_torn = patch.joins_rims() && !stiff->joins_rims();
+    return stiff->is_closed() && !is_torn && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
   }
 
   // A rim that sharp edges cut into pieces: each piece alone lets the base run off, or opens to nowhere. Either the
