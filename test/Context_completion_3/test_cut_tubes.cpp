@@ -15,8 +15,10 @@
 
 #include <CGAL/Context_completion_3/internal/Completion_engine.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
+#include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
 #include <CGAL/tags.h>
@@ -127,6 +129,34 @@ samples::Samples cut_prism(double side, double length, double gap, samples::Samp
         (std::abs(height - length / 2) < gap / 2 ? removed : rest).emplace_back(p, n);
       }
   }
+  return rest;
+}
+
+// A straight tube with blocks on it, in rows around and along, whose grooves cut the rims into pieces. The middle is
+// missing.
+samples::Samples cut_tube_with_blocks(double height, double gap, samples::Samples& removed)
+{
+  const double radius = 10, length = 80, around = 7, along = 11;     // blocks around, period along
+  const auto step = [](double x) { return 0.5 + 0.5 * std::tanh(6 * (std::cos(x) + 0.55)); };
+  const auto r = [&](double angle, double z) {
+    return radius + height * step(around * angle) * step(2 * samples::pi * z / along); };
+  samples::Random_offsets offset(11);
+  samples::Samples rest;
+  Point_grid grid(1.);
+  for(double z = 0; z < length; z += 0.21)
+    for(double angle = 0; angle < 2 * samples::pi; angle += 0.21 / radius)
+    {
+      const double a = angle + 0.1 * offset() / radius, s = z + 0.1 * offset(), d = 1e-4, x = r(a, s);
+      const double by_angle = (r(a + d, s) - r(a - d, s)) / (2 * d * x), by_z = (r(a, s + d) - r(a, s - d)) / (2 * d);
+      const samples::Point p(x * std::cos(a), x * std::sin(a), s);
+      bool is_free = true;
+      grid.for_each_in_ball(samples::engine_vector(p), 0.82, [&](std::size_t, double) { return is_free = false; });
+      if(!is_free)
+        continue;
+      grid.insert(samples::engine_vector(p));
+      const samples::Vector n(std::cos(a) + by_angle * std::sin(a), std::sin(a) - by_angle * std::cos(a), -by_z);
+      (std::abs(s - length / 2) < gap / 2 ? removed : rest).emplace_back(p, samples::unit(n));
+    }
   return rest;
 }
 
@@ -278,6 +308,34 @@ TEST(Cut_tubes, Rims_in_pieces_are_joined)
   const Completed result(cut_prism(14., 60., 10., removed));
   ASSERT_EQ(result.holes.size(), 1u);
   result.expect_that_restores(removed, 1.5);
+}
+
+// All around, the rim on the flank of the blocks leads away from the other end rather than towards it.
+TEST(Cut_tubes, Ends_on_the_flank_of_a_relief_are_joined)
+{
+  samples::Samples removed;
+  const Completed result(cut_tube_with_blocks(2.5, 14., removed));
+  ASSERT_EQ(result.holes.size(), 1u);
+  EXPECT_EQ(result.holes.front().loops.size(), 2u);
+  result.expect_that_restores(removed, 1.5);
+}
+
+TEST(Cut_tubes, A_base_knows_which_share_of_the_rims_it_joins)
+{
+  const Surface_points points = samples::engine_points(
+    samples::without_ball(limb_on_plate(3.), samples::Point(0, 0, 4), 14.));
+  const Surface_model<Tag> model(points);
+  std::vector<Detected> holes;
+  ASSERT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+  const auto hole = std::find_if(holes.begin(), holes.end(), [](const Detected& h) { return !h.is_outer_border; });
+  ASSERT_TRUE(hole != holes.end());
+  ASSERT_EQ(hole->loops.size(), 2u);
+  EXPECT_EQ(hole->patch->joined_share(), 1.);
+  // stiff, it closes the body and the limb each for itself
+  const Smooth_patch<Tag> torn(hole->patch->surroundings(), true);
+  const std::size_t body = hole->loops[0].points.size(), limb = hole->loops[1].points.size();
+  EXPECT_FALSE(torn.joins_rims());
+  EXPECT_EQ(torn.joined_share(), double((std::max)(body, limb)) / double(body + limb));
 }
 
 TEST(Cut_tubes, Pieces_that_follow_each_other_are_one_rim)

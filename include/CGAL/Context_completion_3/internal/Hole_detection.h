@@ -98,10 +98,7 @@ public:
       if(grouping.is_used(order[k]))
         continue;
       if(const auto patch = base_of_whole_rim(loops, grouping, order[k], group))
-      {
-        if(add_hole(patch, holes, grouping, group))
-          holes.back().stiff = without_bulge(*patch);
-      }
+        add_hole(patch, holes, grouping, group);
       else
         left.push_back(order[k]);
     }
@@ -130,17 +127,17 @@ public:
   }
 
 private:
-  static bool add_hole(const std::shared_ptr<const Patch>& patch, std::vector<Hole>& holes, Grouping& grouping,
+  static void add_hole(const std::shared_ptr<const Patch>& patch, std::vector<Hole>& holes, Grouping& grouping,
                        const std::vector<std::size_t>& group)
   {
     grouping.use(group);
     if(!is_evident(*patch) || is_sparse(*patch))
-      return false;
+      return;
     Hole hole;
     hole.loops = patch->loops();
     hole.patch = patch;
+    hole.stiff = without_bulge(*patch);
     holes.push_back(hole);
-    return true;
   }
 
   // Paper, section 5: the user defines invalid cells. What was found in his box is meant; otherwise what is open there.
@@ -313,11 +310,13 @@ private:
   }
 
   // Relief that the rim cuts can lead the base up or down, into a bulge, which a stiff base passes between. One that
-  // closes the ends of a tube is smaller, too, and no answer. \return the stiff base then, otherwise none
+  // closes the ends of a tube is smaller, too, and no answer; a fragment of a rim may stay alone. \return the stiff base
+  // then, otherwise none
   static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
   {
     const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
-    const bool is_torn = patch.joins_rims() && !stiff->joins_rims();
+    const double largest_fragment = 0.1;
+    const bool is_torn = stiff->joined_share() < patch.joined_share() - largest_fragment;
     return stiff->is_closed() && !is_torn && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
   }
 

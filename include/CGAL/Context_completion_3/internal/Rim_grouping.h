@@ -210,10 +210,13 @@ private:
   // A rim in a surface opens towards its own centre, that of an end less so.
   bool is_end(const Rim_loop& loop) const { return opening(loop, loop.center) <= 0.6; }
 
-  // Both open more towards each other than towards their own centres.
+  // Both open more towards each other than towards their own centres. Where a cut meets the flank of a relief all around,
+  // the rim leads off to all sides of the way to the other, on which the mean still does.
   bool are_ends(const Rim_loop& a, const Rim_loop& b) const
   {
-    const double ab = opening(a, b.center), ba = opening(b, a.center);
+    const Vector way = (b.center - a.center).normalized();
+    const double ab = (std::max)(opening(a, b.center), way.dot(sum_of_outward(a)) / double(a.points.size()));
+    const double ba = (std::max)(opening(b, a.center), -way.dot(sum_of_outward(b)) / double(b.points.size()));
     return ab > opening(a, a.center) && ba > opening(b, b.center) && (std::min)(ab, ba) >= 0.4 && ab + ba >= 1.1;
   }
 

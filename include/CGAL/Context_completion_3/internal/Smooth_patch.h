@@ -107,7 +107,10 @@ public:
   const std::vector<std::size_t>& reached() const { return m_reached; }
 
   /// Whether the sampling went on from each rim to the others; otherwise each of some rims is closed alone.
-  bool joins_rims() const { return m_joins_rims; }
+  bool joins_rims() const { return m_joined_share == 1; }
+
+  /// Share of rim points in the largest set of rims that the sampling joins.
+  double joined_share() const { return m_joined_share; }
 
   /// As given.
   const std::vector<Base_center>& guides() const { return m_guides; }
@@ -241,7 +244,11 @@ private:
       }
     }
     m_is_closed = true;
-    m_joins_rims = std::all_of(joined.begin(), joined.end(), [](std::size_t l) { return l == 0; });
+    std::vector<std::size_t> points(loops().size(), 0);
+    for(std::size_t l = 0; l < loops().size(); ++l)
+      points[joined[l]] += loops()[l].points.size();
+    m_joined_share = double(*std::max_element(points.begin(), points.end())) /
+                     double(std::accumulate(points.begin(), points.end(), std::size_t(0)));
     for(std::size_t k = 0; k < is_reached.size(); ++k)
       if(is_reached[k])
         m_reached.push_back(m_footprint_index[k]);
@@ -306,7 +313,8 @@ private:
   std::vector<std::size_t> m_footprint_index;
   std::vector<Base_sample> m_samples;
   std::vector<std::size_t> m_reached;
-  bool m_is_closed = false, m_joins_rims = false;
+  bool m_is_closed = false;
+  double m_joined_share = 0;
 };
 
 } // namespace internal
