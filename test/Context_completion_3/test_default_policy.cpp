@@ -247,6 +247,32 @@ INSTANTIATE_TEST_SUITE_P(Cuts, Known_surface,
                          ::testing::Values(bumpy_sheet(), bumpy_sphere(), plane(), smooth_sphere()),
                          [](const ::testing::TestParamInfo<Cut>& info) { return info.param.name; });
 
+// Three faces that meet in a corner, of which there is no other: nothing foresees the edges in the hole, and there is
+// nothing to learn from how wrong that is. The report must say so.
+TEST(Default_policy, A_hole_that_is_like_no_other_place_is_not_promised_much)
+{
+  samples::Samples corner;
+  const double width = 24;
+  samples::Random_offsets offset(2);
+  const samples::Vector axes[] = { samples::Vector(1, 0, 0), samples::Vector(0, 1, 0), samples::Vector(0, 0, 1) };
+  for(int face = 0; face < 3; ++face)
+    for(double u = 0.5; u < width; u += 1)
+      for(double v = 0.5; v < width; v += 1)
+        corner.emplace_back(CGAL::ORIGIN - (u + 0.15 * offset()) * axes[(face + 1) % 3]
+                            - (v + 0.15 * offset()) * axes[(face + 2) % 3], axes[face]);
+  const Distance distance = [](const Vector& p) { return p.cwiseAbs().minCoeff(); };
+  for(double radius : { 6., 10. })
+  {
+    const Completion result = sequential(samples::without_ball(corner, samples::Point(-1, -1, 0), radius));
+    ASSERT_EQ(result.chosen.size(), 1u);
+    ASSERT_FALSE(result.added.empty());
+    const Hole_outcome& outcome = result.outcomes[result.chosen.front()];
+    EXPECT_NE(outcome.reason.find("too few places resemble the hole"), std::string::npos) << outcome.reason;
+    EXPECT_GE(outcome.expected_error, 2 * mean_error(result, distance));
+    EXPECT_GE(outcome.expected_error, result.spacing);
+  }
+}
+
 TEST(Default_policy, Diameters_set_the_state)
 {
   const samples::Samples sheet = samples::plane_with_two_holes();   // diameters about 9 and 12

@@ -77,6 +77,9 @@ public:
   /// Mismatch between the surroundings of a place and of the hole, 0 perfect, at least 1 hopeless.
   double match(std::size_t place) const { return m_statistics.mismatch(target, place); }
 
+  /// Whether there are enough fake holes to learn from.
+  bool has_fake_holes() const { return m_statistics.is_sufficient(); }
+
   /// Heights over the samples of the base that a plan gives in the hole.
   Eigen::VectorXd heights(const Filling_plan& plan) const { return predict(plan, target); }
 
@@ -89,8 +92,10 @@ public:
     std::vector<Plan_forecast> result(1);
     if(!m_statistics.is_sufficient())
     {
+      // A sector is close to what it is predicted from, a hole is not, and one that is like no other place of the shape
+      // is where edges meet: generated cases miss 3 to 17 times as much.
       result[0].error = 1.3 * m_sector_error;
-      result[0].upper = 2 * m_sector_error;
+      result[0].upper = 10 * m_sector_error;
       return result;
     }
     if(!m_ingredients.fake_holes)

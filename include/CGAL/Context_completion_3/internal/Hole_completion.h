@@ -53,6 +53,7 @@ struct Hole_match
   std::shared_ptr<const Copy_forecast<ConcurrencyTag> > forecast;
   Plan_forecast smooth, chosen;
   double best = 0;                         ///< mismatch of the best place
+  bool has_fake_holes = false;             ///< whether the forecasts are learnt
 
   /// Forgets what only `Hole_completion::relief()` needs.
   void shrink()
@@ -178,7 +179,7 @@ public:
     result.outcome.filling = chosen.plan.places > 0 || replaced > 0 ? Filling::copied : Filling::smooth;
     // pieces that differ from the first level say that its forecast was too low; they know nothing of the rest
     result.outcome.expected_error = (std::max)(chosen.upper, refinement.change());
-    result.outcome.reason = reason(chosen, match.smooth, patch.spacing(), match.places.size(), replaced);
+    result.outcome.reason = reason(match, patch.spacing(), replaced);
     result.outcome.added = result.points.size();
     for(Added_point& p : result.points)
       p.confidence = 1 / (1 + result.outcome.expected_error / patch.spacing());
@@ -247,6 +248,7 @@ private:
                                                                           target.radius, m_ingredients);
     match.forecast = forecast;
     poll();
+    match.has_fake_holes = forecast->has_fake_holes();
     if(!match.places.empty())
       match.best = forecast->match(forecast->ranking().front());
     const std::vector<Plan_forecast> forecasts = forecast->forecasts();
@@ -288,19 +290,21 @@ private:
     }
   }
 
-  static std::string reason(const Plan_forecast& chosen, const Plan_forecast& smooth, double spacing,
-                            std::size_t places, std::size_t replaced)
+  static std::string reason(const Match& match, double spacing, std::size_t replaced)
   {
+    const Plan_forecast& chosen = match.chosen;
     std::ostringstream text;
     text.precision(2);
-    if(places == 0)
+    if(match.places.empty())
       text << "smooth: no source place matches the surroundings";
+    else if(!match.has_fake_holes)
+      text << "smooth: too few places resemble the hole to try a copy there";
     else if(chosen.plan.places == 0)
       text << "smooth: forecast " << chosen.error / spacing << " spacings, no copy promises clearly less";
     else
       text << "copied from " << chosen.plan.places << (chosen.plan.places == 1 ? " place" : " places") << ", share "
            << chosen.plan.share << ": forecast " << chosen.error / spacing << " spacings, smooth "
-           << smooth.error / spacing;
+           << match.smooth.error / spacing;
     if(replaced > 0)
       text << "; finer levels copied " << replaced << (replaced == 1 ? " piece" : " pieces");
     return text.str();
