@@ -107,9 +107,10 @@ public:
     const Place* place = nullptr;
     Eigen::VectorXd displacement;
     const std::size_t first = match.forecast->ranking().front();
-    if(chosen.plan.places == 1 && chosen.plan.share > 0.9)
+    if(chosen.plan.share > 0.9)
     {
-      // the whole relief of one place, which is fitted to the rim and keeps all else
+      // The whole relief of the best place, which is fitted to the rim and keeps all else. The mean over places, which the
+      // plan may be, tells what to expect; at a wall, a little beside each other, they have heights between top and foot.
       place = &match.places[first];
       displacement = match.forecast->fitting();
     }
