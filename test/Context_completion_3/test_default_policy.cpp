@@ -14,6 +14,7 @@
 #include "include/engine_samples.h"
 
 #include <CGAL/Context_completion_3/internal/Completion_engine.h>
+#include <CGAL/Context_completion_3/internal/Point_grid.h>
 
 #include <CGAL/tags.h>
 
@@ -246,6 +247,55 @@ TEST_P(Known_surface, Two_runs_give_the_same_bits)
 INSTANTIATE_TEST_SUITE_P(Cuts, Known_surface,
                          ::testing::Values(bumpy_sheet(), bumpy_sphere(), plane(), smooth_sphere()),
                          [](const ::testing::TestParamInfo<Cut>& info) { return info.param.name; });
+
+// Blocks in rows, whose walls places at slightly different offsets would smear.
+double blocks_height(double x, double y)
+{
+  const auto step = [](double t) { return 0.5 + 0.5 * std::tanh(8 * (std::cos(2 * samples::pi * t / 9) + 0.2)); };
+  return 3 * step(x) * step(y);
+}
+
+Vector blocks_normal(double x, double y)
+{
+  const double d = 1e-4;
+  return Vector(blocks_height(x - d, y) - blocks_height(x + d, y), blocks_height(x, y - d) - blocks_height(x, y + d),
+                2 * d).normalized();
+}
+
+TEST(Default_policy, Walls_of_a_whole_copy_stay_steep)
+{
+  samples::Samples surface;
+  samples::Random_offsets offset(4);
+  Point_grid grid(1.);
+  for(double x = 0; x < 54; x += 0.21)
+    for(double y = 0; y < 54; y += 0.21)
+    {
+      const double u = x + 0.1 * offset(), v = y + 0.1 * offset();
+      const Vector p(u, v, blocks_height(u, v)), n = blocks_normal(u, v);
+      bool is_free = true;
+      grid.for_each_in_ball(p, 0.82, [&](std::size_t, double) { return is_free = false; });
+      if(!is_free)
+        continue;
+      grid.insert(p);
+      surface.emplace_back(samples::Point(p.x(), p.y(), p.z()), samples::Vector(n.x(), n.y(), n.z()));
+    }
+  const Completion result = sequential(samples::without_ball(surface, samples::Point(29, 25, 1.5), 7.));
+  ASSERT_EQ(result.chosen.size(), 1u);
+  ASSERT_GT(result.added.size(), 100u);
+  double sum = 0;
+  for(const Added_point& p : result.added)
+  {
+    double nearest = 1e9;
+    for(double du = -1; du <= 1; du += 0.05)
+      for(double dv = -1; dv <= 1; dv += 0.05)
+      {
+        const double u = p.position.x() + du, v = p.position.y() + dv;
+        nearest = (std::min)(nearest, (Vector(u, v, blocks_height(u, v)) - p.position).norm());
+      }
+    sum += nearest;
+  }
+  EXPECT_LT(sum / double(result.added.size()), 0.027) << result.outcomes[result.chosen.front()].reason;
+}
 
 // Three faces that meet in a corner, of which there is no other: nothing foresees the edges in the hole, and there is
 // nothing to learn from how wrong that is. The report must say so.
