@@ -98,6 +98,7 @@ public:
   {
     const Patch& patch = *match.patch;
     const Plan_forecast& chosen = match.chosen;
+    const bool is_whole = chosen.plan.share > whole_share();
     Hole_relief result;
     result.heights = match.forecast->heights(chosen.plan);
     result.errors = match.forecast->errors(chosen);
@@ -107,7 +108,7 @@ public:
     const Place* place = nullptr;
     Eigen::VectorXd displacement;
     const std::size_t first = match.forecast->ranking().front();
-    if(chosen.plan.share > 0.9)
+    if(is_whole)
     {
       // The whole relief of the best place, which is fitted to the rim and keeps all else. The mean over places, which the
       // plan may be, tells what to expect; at a wall, a little beside each other, they have heights between top and foot.
@@ -130,8 +131,8 @@ public:
     result.copies.back().place = *place;
     result.copies.back().displacement = displacement;
     // a part of a copy, or a texture, has no reason to leave the plan
-    result.copies.back().is_whole = chosen.plan.share > 0.9;
-    result.copies.back().tolerance = chosen.plan.share > 0.9 ? match.sampler->height_limit() : 1.5 * patch.spacing();
+    result.copies.back().is_whole = is_whole;
+    result.copies.back().tolerance = is_whole ? match.sampler->height_limit() : 1.5 * patch.spacing();
     result.copy.assign(patch.samples().size(), 0);
     return result;
   }
@@ -265,6 +266,9 @@ private:
 
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
   static double copy_margin() { return 0.92; }
+
+  // A larger share of a copy is carried as a whole copy: the rest, a tenth of the smooth continuation, could but blunt it.
+  static double whole_share() { return 0.9; }
 
   // In spacings: on a plane both are exact, and the last bits must not decide.
   static double rounding() { return 1e-6; }
