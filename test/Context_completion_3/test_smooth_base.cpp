@@ -694,6 +694,30 @@ TEST(Hole_detection, Acute_edges_have_no_rim)
         << wedge.position[p.index].transpose();
 }
 
+TEST(Hole_detection, A_hole_in_one_side_of_a_thin_plate_is_found)
+{
+  // thinner than the spacing: the other side is as near as at an acute edge
+  for(const double thickness : { 0.5, 0.8, 1.5 })
+  {
+    samples::Samples plate = samples::plane_with_hole();
+    for(const samples::Oriented_point& s : samples::plane(32, 1., 0.15, 2))
+      plate.emplace_back(s.first - samples::Vector(0, 0, thickness), -s.second);
+    const Surface_points points = samples::engine_points(plate);
+    const Model model(points);
+    std::size_t number = 0;
+    for(const Detected& h : detected(model))
+    {
+      if(h.is_outer_border)
+        continue;
+      ++number;
+      EXPECT_LT((h.center() - Vector(16, 16, 0)).norm(), 1.);
+      for(const Base_sample& s : h.patch->samples())
+        EXPECT_NEAR(s.position.z(), 0., 0.05);
+    }
+    EXPECT_EQ(number, 1u) << "thickness " << thickness;
+  }
+}
+
 TEST(Hole_detection, Cap_at_the_pole_of_a_sphere_is_one_hole)
 {
   const double radius = 15.5;   // spacing about 1

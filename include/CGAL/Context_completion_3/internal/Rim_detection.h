@@ -132,17 +132,21 @@ private:
     const Vector p = m_model.position(i);
     std::vector<std::size_t> ball;
     m_model.search().in_ball(p, radius, ball);
-    std::vector<Vector> around;
+    std::vector<Vector> around, behind;
     Vector mean = Vector::Zero();
+    bool is_at_fold = false;
     for(std::size_t j : ball)
       if(is_same_side(m_model.normal(i), m_model.normal(j)))
       {
         around.push_back(m_model.position(j));
         mean += around.back();
       }
-      // the surface goes on around an acute edge
-      else if((m_model.position(j) - p).norm() < fold_distance() * m_model.area_spacing(i))
-        return Vector::Zero();
+      else
+      {
+        behind.push_back(m_model.position(j));
+        if((behind.back() - p).norm() < fold_distance() * m_model.area_spacing(i))
+          is_at_fold = true;
+      }
     if(around.size() < 4)
       return Vector::Zero();
     mean /= double(around.size());
@@ -173,6 +177,12 @@ private:
     if(gap < largest_angle())
       return Vector::Zero();
     const Vector direction = std::cos(middle) * u + std::sin(middle) * v;
+    // The surface goes on around an acute edge. Where the other side goes on below the empty place, it is a thin plate
+    // with a hole in this side.
+    const auto is_ahead = [&](const Vector& q)
+      { return (q - p).dot(direction) > probe_distance() * m_model.area_spacing(i); };
+    if(is_at_fold && std::none_of(behind.begin(), behind.end(), is_ahead))
+      return Vector::Zero();
     const Vector probe = p + probe_distance() * m_model.area_spacing(i) * direction;
     for(std::size_t j : ball)
       if(is_same_side(m_model.normal(i), m_model.normal(j)) &&
