@@ -297,6 +297,28 @@ TEST(Default_policy, Walls_of_a_whole_copy_stay_steep)
   EXPECT_LT(sum / double(result.added.size()), 0.027) << result.outcomes[result.chosen.front()].reason;
 }
 
+TEST(Default_policy, Copies_are_as_dense_as_the_surroundings_of_the_hole)
+{
+  // an egg box whose right half is sampled twice as densely, and alone may serve as an example
+  samples::Samples surface, removed;
+  for(const samples::Oriented_point& s :
+      samples::thinning_plane(64, [](double x, double) { return x < 32 ? 0.9 : 0.63; }))
+  {
+    const double x = s.first.x(), y = s.first.y();
+    surface.emplace_back(samples::Point(x, y, std::sin(k * x) * std::sin(k * y)),
+      samples::unit(samples::Vector(-k * std::cos(k * x) * std::sin(k * y), -k * std::sin(k * x) * std::cos(k * y), 1)));
+  }
+  const samples::Samples rest = samples::without_ball(surface, samples::Point(17, 33, 0), 5., &removed);
+  Engine_parameters parameters;
+  for(const samples::Oriented_point& s : rest)
+    parameters.is_example.push_back(s.first.x() > 32);
+  const Completion result = sequential(rest, parameters);
+  ASSERT_EQ(result.chosen.size(), 1u);
+  EXPECT_EQ(result.outcomes[result.chosen.front()].filling, Filling::copied);
+  EXPECT_LT(mean_error(result, egg_box_distance), 0.1);
+  EXPECT_NEAR(double(result.added.size()), double(removed.size()), 0.2 * double(removed.size()));
+}
+
 // Three faces that meet in a corner, of which there is no other: nothing foresees the edges in the hole, and there is
 // nothing to learn from how wrong that is. The report must say so.
 TEST(Default_policy, A_hole_that_is_like_no_other_place_is_not_promised_much)

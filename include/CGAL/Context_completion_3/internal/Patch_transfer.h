@@ -53,6 +53,7 @@ public:
     for(const Band_point& b : patch.band())
       if(b.distance <= 1.2 * patch.spacing())
         m_rim.insert(b.index);
+    m_area_spacing = spacing_around();
   }
 
   /// The points of a hole: those that its places give, then, where none came to lie, raised samples of the base.
@@ -67,6 +68,20 @@ public:
   }
 
 private:
+  // At the rim, where neighbours are on one side only, points seem farther apart than they are: those a little behind it
+  // tell how densely the surroundings are sampled.
+  double spacing_around() const
+  {
+    std::vector<double> behind;
+    for(const Band_point& b : m_patch.band())
+      if(b.distance > 2.5 * m_patch.area_spacing() && b.distance < 6 * m_patch.area_spacing())
+        behind.push_back(m_known.area_spacing(b.index));
+    if(behind.empty())
+      return m_patch.area_spacing();
+    std::nth_element(behind.begin(), behind.begin() + behind.size() / 2, behind.end());
+    return (std::min)(m_patch.area_spacing(), behind[behind.size() / 2]);
+  }
+
   // Points whose feet are on the samples of that copy.
   void carry(const Hole_relief& relief, std::size_t copy, Point_grid& grid, Point_grid& feet,
              std::vector<Added_point>& result) const
@@ -117,10 +132,54 @@ private:
       drop_outliers(misses, is_planned);
     for(std::size_t k = 0; k < carried.size(); ++k)
       if(is_planned[k])
-      {
         feet.insert(carried_foot[k]);
+    thin(*source.model, carried_index, carried, is_planned);
+    for(std::size_t k = 0; k < carried.size(); ++k)
+      if(is_planned[k])
         add(carried[k], 0.6, 0.8, 1.2, grid, result);
+  }
+
+  // A place that is sampled more densely than the surroundings of the hole gives fewer points: those that keep a distance
+  // from the others, by which their number becomes what the surroundings would have.
+  void thin(const Model& model, const std::vector<std::size_t>& indices, const std::vector<Added_point>& carried,
+            std::vector<char>& is_planned) const
+  {
+    double wanted = 0;
+    std::size_t number = 0;
+    for(std::size_t k = 0; k < indices.size(); ++k)
+      if(is_planned[k])
+      {
+        const double ratio = model.area_spacing(indices[k]) / m_area_spacing;
+        wanted += (std::min)(1., ratio * ratio);
+        ++number;
       }
+    // spacings are estimates, and a point too many does less harm than one too few
+    wanted *= 1.1;
+    if(wanted >= double(number))
+      return;
+    double low = 0, high = 1.2 * m_area_spacing;
+    std::vector<char> kept = is_planned;
+    for(int round = 0; round < 10; ++round)
+    {
+      const double distance = (low + high) / 2;
+      kept.assign(carried.size(), 0);
+      Point_grid grid(distance);
+      std::vector<std::size_t> index;
+      for(std::size_t k = 0; k < carried.size(); ++k)
+      {
+        kept[k] = is_planned[k];
+        if(kept[k])
+          grid.for_each_in_ball(carried[k].position, distance, [&](std::size_t other, double) {
+            kept[k] = !is_same_side(carried[index[other]].normal, carried[k].normal);
+            return kept[k] != 0; });
+        if(!kept[k])
+          continue;
+        grid.insert(carried[k].position);
+        index.push_back(k);
+      }
+      (double(index.size()) > wanted ? low : high) = distance;
+    }
+    is_planned.swap(kept);
   }
 
   // Of texture and noise; what stands out much farther than most is a fold or a wall of the place.
@@ -230,6 +289,7 @@ private:
   const Relief_sampler<ConcurrencyTag>& m_sampler;
   const std::vector<Source>& m_sources;
   std::unordered_set<std::size_t> m_rim;
+  double m_area_spacing = 0;             // of the surroundings
 };
 
 } // namespace internal
