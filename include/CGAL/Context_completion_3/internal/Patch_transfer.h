@@ -18,6 +18,8 @@
 #include <CGAL/Context_completion_3/internal/Hole_relief.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
+#include <CGAL/Context_completion_3/internal/Surface_points.h>
+#include <CGAL/Context_completion_3/internal/Thinned_points.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -53,7 +55,6 @@ public:
     for(const Band_point& b : patch.band())
       if(b.distance <= 1.2 * patch.spacing())
         m_rim.insert(b.index);
-    m_area_spacing = spacing_around();
   }
 
   /// The points of a hole: those that its places give, then, where none came to lie, raised samples of the base.
@@ -68,20 +69,6 @@ public:
   }
 
 private:
-  // At the rim, where neighbours are on one side only, points seem farther apart than they are: those a little behind it
-  // tell how densely the surroundings are sampled.
-  double spacing_around() const
-  {
-    std::vector<double> behind;
-    for(const Band_point& b : m_patch.band())
-      if(b.distance > 2.5 * m_patch.area_spacing() && b.distance < 6 * m_patch.area_spacing())
-        behind.push_back(m_known.area_spacing(b.index));
-    if(behind.empty())
-      return m_patch.area_spacing();
-    std::nth_element(behind.begin(), behind.begin() + behind.size() / 2, behind.end());
-    return (std::min)(m_patch.area_spacing(), behind[behind.size() / 2]);
-  }
-
   // Points whose feet are on the samples of that copy.
   void carry(const Hole_relief& relief, std::size_t copy, Point_grid& grid, Point_grid& feet,
              std::vector<Added_point>& result) const
@@ -139,47 +126,38 @@ private:
         add(carried[k], 0.6, 0.8, 1.2, grid, result);
   }
 
-  // A place that is sampled more densely than the surroundings of the hole gives fewer points: those that keep a distance
-  // from the others, by which their number becomes what the surroundings would have.
+  // A place that is sampled more densely than the surroundings of the hole gives fewer points: those that keep a
+  // distance from the others, by which their number becomes what the surroundings would have.
   void thin(const Model& model, const std::vector<std::size_t>& indices, const std::vector<Added_point>& carried,
             std::vector<char>& is_planned) const
   {
+    const double spacing = m_patch.surroundings()->area_spacing_behind();
+    Surface_points planned;
+    std::vector<std::size_t> slot;
     double wanted = 0;
-    std::size_t number = 0;
     for(std::size_t k = 0; k < indices.size(); ++k)
       if(is_planned[k])
       {
-        const double ratio = model.area_spacing(indices[k]) / m_area_spacing;
+        const double ratio = model.area_spacing(indices[k]) / spacing;
         wanted += (std::min)(1., ratio * ratio);
-        ++number;
+        planned.push_back(carried[k].position, carried[k].normal);
+        slot.push_back(k);
       }
     // spacings are estimates, and a point too many does less harm than one too few
     wanted *= 1.1;
-    if(wanted >= double(number))
+    if(wanted >= double(slot.size()))
       return;
-    double low = 0, high = 1.2 * m_area_spacing;
-    std::vector<char> kept = is_planned;
+    double low = 0, high = 1.2 * spacing;
+    std::vector<std::size_t> kept;
     for(int round = 0; round < 10; ++round)
     {
       const double distance = (low + high) / 2;
-      kept.assign(carried.size(), 0);
-      Point_grid grid(distance);
-      std::vector<std::size_t> index;
-      for(std::size_t k = 0; k < carried.size(); ++k)
-      {
-        kept[k] = is_planned[k];
-        if(kept[k])
-          grid.for_each_in_ball(carried[k].position, distance, [&](std::size_t other, double) {
-            kept[k] = !is_same_side(carried[index[other]].normal, carried[k].normal);
-            return kept[k] != 0; });
-        if(!kept[k])
-          continue;
-        grid.insert(carried[k].position);
-        index.push_back(k);
-      }
-      (double(index.size()) > wanted ? low : high) = distance;
+      kept = thinned_points(planned, distance);
+      (double(kept.size()) > wanted ? low : high) = distance;
     }
-    is_planned.swap(kept);
+    is_planned.assign(is_planned.size(), 0);
+    for(std::size_t k : kept)
+      is_planned[slot[k]] = 1;
   }
 
   // Of texture and noise; what stands out much farther than most is a fold or a wall of the place.
@@ -289,7 +267,6 @@ private:
   const Relief_sampler<ConcurrencyTag>& m_sampler;
   const std::vector<Source>& m_sources;
   std::unordered_set<std::size_t> m_rim;
-  double m_area_spacing = 0;             // of the surroundings
 };
 
 } // namespace internal

@@ -64,6 +64,7 @@ public:
     m_spacing = median(spacings);
     m_area_spacing = median(area_spacings);
     m_band = surface_band(model, m_rim, band_width());
+    measure_behind();
     choose_fit_radius();
     choose_centers();
   }
@@ -79,7 +80,13 @@ public:
 
   const std::vector<Base_center>& centers() const { return m_centers; }
   double spacing() const { return m_spacing; }
+
+  /// Square root of the area per point, at the rim.
   double area_spacing() const { return m_area_spacing; }
+
+  /// The same a little behind the rim, where neighbours are on all sides: how densely the surroundings are sampled.
+  double area_spacing_behind() const { return m_area_spacing_behind; }
+
   double diameter() const { return m_diameter; }
 
   /// Radius of the local fits: larger where the surroundings are noisy.
@@ -93,6 +100,16 @@ private:
   }
 
   double band_width() const { return (std::max)(5 * m_area_spacing, 0.45 * m_diameter); }
+
+  // At the rim, where neighbours are on one side only, points seem farther apart than they are.
+  void measure_behind()
+  {
+    std::vector<double> behind;
+    for(const Band_point& b : m_band)
+      if(b.distance > 2.5 * m_area_spacing && b.distance < 6 * m_area_spacing)
+        behind.push_back(m_model.area_spacing(b.index));
+    m_area_spacing_behind = behind.empty() ? m_area_spacing : (std::min)(m_area_spacing, median(behind));
+  }
 
   // The radius whose fits best predict points that they do not know: noise asks for a large one, relief for a small
   // one.
@@ -175,7 +192,7 @@ private:
   std::vector<std::size_t> m_rim;
   std::vector<Band_point> m_band;
   std::vector<Base_center> m_centers;
-  double m_spacing = 0, m_area_spacing = 0, m_diameter = 0, m_fit_radius = 0;
+  double m_spacing = 0, m_area_spacing = 0, m_area_spacing_behind = 0, m_diameter = 0, m_fit_radius = 0;
 };
 
 } // namespace internal
