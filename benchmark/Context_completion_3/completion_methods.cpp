@@ -120,6 +120,8 @@ const Variant variants[] = {
     [](Engine_parameters& p) { p.ingredients.coherence = false; } },
   { "without_passes", "pieces are matched once, also when others around them are filled later",
     [](Engine_parameters& p) { p.ingredients.passes = false; } },
+  { "without_facets", "edges are continued by smooth bases and copies alone",
+    [](Engine_parameters& p) { p.ingredients.facets = false; } },
   { "without_kriging", "smooth bases of polyharmonic trends only",
     [](Engine_parameters& p) { p.ingredients.kriging = false; } },
   { "without_texture", "nearest in distance instead of true in texture",

@@ -19,6 +19,7 @@
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Place_facets.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Rim_membrane.h>
 #include <CGAL/Context_completion_3/internal/Rim_mismatch.h>
@@ -57,8 +58,9 @@ public:
   static constexpr std::size_t target = Fake_hole_statistics::target;
 
   Copy_forecast(const Patch& patch, const Base_family<ConcurrencyTag>& family, const std::vector<Place>& places,
-                const std::vector<Place_relief>& reliefs, double radius, const Ingredients& ingredients)
-    : m_patch(patch), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
+                const std::vector<Place_relief>& reliefs, const Place_facets<ConcurrencyTag>* facets, double radius,
+                const Ingredients& ingredients)
+    : m_patch(patch), m_places(places), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
       m_statistics(places, coverages(reliefs), mismatch(), radius, patch.spacing())
   {
     // the hole is the last column: nothing but the known surface
@@ -68,6 +70,8 @@ public:
       rim.col(Eigen::Index(c)) = reliefs[c].rim;
     m_roughness = family.roughness(rim);
     combine_bases(family, rim);
+    if(facets != nullptr)
+      choose_facets(*facets);
     choose_warps(family.membrane(), family.rim_values(rim));
   }
 
@@ -79,6 +83,9 @@ public:
 
   /// Whether there are enough fake holes to learn from.
   bool has_fake_holes() const { return m_statistics.is_sufficient(); }
+
+  /// The facets that the smooth plan is made of, or null.
+  const Faceted_relief* facets() const { return m_facets.get(); }
 
   /// Heights over the samples of the base that a plan gives in the hole.
   Eigen::VectorXd heights(const Filling_plan& plan) const { return predict(plan, target); }
@@ -272,6 +279,47 @@ private:
       m_sector_error += weights[m] * sector_errors[m];
   }
 
+  // Where edges go into the hole, facets that go on until they meet take the place of the smooth base, if they do better
+  // on the fake holes or, without those, on the surroundings.
+  void choose_facets(const Place_facets<ConcurrencyTag>& facets)
+  {
+    const std::vector<std::size_t>& judges = m_statistics.judges();
+    const Eigen::Index own = m_statistics.column(target);
+    const auto relief = std::make_shared<const Faceted_relief>(facets.own_relief(m_smooth.col(own)));
+    if(!relief->is_complete())
+      return;
+    const bool is_learnt = m_statistics.is_sufficient() && m_ingredients.fake_holes;
+    Eigen::MatrixXd faceted = m_smooth;
+    double gain = 0;
+    if(is_learnt)
+    {
+      const double floor = smallest_error() * m_patch.spacing();
+      std::vector<double> gains(judges.size(), 0.);
+      for_each_index<ConcurrencyTag>(judges.size(), [&](std::size_t i)
+      {
+        const std::size_t k = judges[i];
+        const Eigen::Index column = m_statistics.column(k);
+        faceted.col(column) = facets.relief(m_places[k], m_smooth.col(column)).height;
+        gains[i] = judge_weights()[i] * (std::log(error(m_smooth.col(column), k) + floor)
+                                         - std::log(error(faceted.col(column), k) + floor));
+      });
+      for(double g : gains)
+        gain += g;
+    }
+    else
+    {
+      const double error = facets.sector_error();
+      gain = std::log(m_sector_error) - std::log(error);
+      if(gain > 0)
+        m_sector_error = error;
+    }
+    if(!(gain > 0))
+      return;
+    faceted.col(own) = relief->height;
+    m_smooth.swap(faceted);
+    m_facets = relief;
+  }
+
   // A copy that is to be believed and the smooth base cannot both be right where they differ. A feature that the rim
   // does not show is known from its twin alone; the smooth base did well on fake holes without one. And twins that
   // differ from each other by more than they forecast cannot all be right: a plane matches planes with and without a
@@ -364,11 +412,13 @@ private:
   }
 
   const Patch& m_patch;
+  std::vector<Place> m_places;
   std::vector<Place_relief> m_reliefs;
   double m_radius;
   Ingredients m_ingredients;
   double m_sector_error = 0;
   Fake_hole_statistics m_statistics;
+  std::shared_ptr<const Faceted_relief> m_facets;
   Eigen::MatrixXd m_smooth;                           // samples x places, the hole last
   Warps m_warps;
   Eigen::VectorXd m_roughness;                        // per place, the hole last

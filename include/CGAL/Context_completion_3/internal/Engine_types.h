@@ -88,6 +88,7 @@ struct Ingredients
   bool levels = true;        ///< pieces of the hole are matched anew at finer levels
   bool coherence = true;     ///< pieces try the places of the whole hole and of their neighbours
   bool passes = true;        ///< pieces are matched again when others around them have been filled
+  bool facets = true;        ///< where sharp edges go into the hole, facets may go on until they meet
   bool kriging = true;       ///< smooth bases may continue what their trend misses as a random field
 };
 

@@ -103,6 +103,8 @@ public:
     result.heights = match.forecast->heights(chosen.plan);
     result.errors = match.forecast->errors(chosen);
     result.copy.assign(patch.samples().size(), no_index);
+    if(chosen.plan.places == 0 && match.forecast->facets() != nullptr)
+      result.normals = match.forecast->facets()->normal;
     if(match.places.empty())
       return result;
     const Place* place = nullptr;
@@ -246,8 +248,10 @@ private:
     match.reliefs.resize(match.places.size());
     for_each_index<ConcurrencyTag>(match.places.size(), [&](std::size_t i)
       { match.reliefs[i] = match.sampler->relief(match.places[i]); });
-    const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(patch, family, match.places, match.reliefs,
-                                                                          target.radius, m_ingredients);
+    const Place_facets<ConcurrencyTag> facets(m_known, patch, *match.sampler, m_sources);
+    const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(
+      patch, family, match.places, match.reliefs, m_ingredients.facets && facets.is_sharp() ? &facets : nullptr,
+      target.radius, m_ingredients);
     match.forecast = forecast;
     poll();
     match.has_fake_holes = forecast->has_fake_holes();

@@ -227,6 +227,8 @@ public:
         continue;
       const double step = w * (filling.heights[Eigen::Index(i)] - m_relief.heights[s]);
       m_relief.heights[s] += step;
+      if(!m_relief.normals.empty())
+        m_relief.normals[std::size_t(s)] = Vector::Zero();
       for(Carried_place& other : m_relief.copies) // where it keeps its points, they follow
         other.displacement[s] += step;
       if(w > 0.5)

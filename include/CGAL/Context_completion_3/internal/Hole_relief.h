@@ -42,6 +42,7 @@ struct Hole_relief
   Eigen::VectorXd errors;                ///< per sample: to be expected
   std::vector<Carried_place> copies;
   std::vector<std::size_t> copy;         ///< per sample: index of the copy, `no_index`: none
+  std::vector<Vector> normals;           ///< per sample, zero or none: those of the heights, which round edges off
 };
 
 } // namespace internal

@@ -223,7 +223,8 @@ private:
       m_sampler.interpolate(s, b.position, heights, height, gradient, direction);
       Added_point point;
       point.position = b.position + heights[Eigen::Index(s)] * b.normal;
-      point.normal = (b.normal - gradient).normalized();
+      const bool has_normal = !relief.normals.empty() && !relief.normals[s].isZero();
+      point.normal = has_normal ? relief.normals[s] : Vector((b.normal - gradient).normalized());
       if(relief.copy[s] != no_index)
       {
         const Place& place = relief.copies[relief.copy[s]].place;

@@ -93,6 +93,16 @@ public:
     carried_points(place, m_whole, indices);
   }
 
+  /// Source points that come to lie within `width` of the hole but not in it. By increasing index.
+  void points_around(const Place& place, double width, std::vector<std::size_t>& indices) const
+  {
+    carried_points(place, m_whole, indices);
+    const std::unordered_set<std::size_t> inside = points_inside(place, indices);
+    m_sources[place.source].model->search().in_ball(place.motion.inverse(m_whole.middle), m_whole.reach + width, indices);
+    indices.erase(std::remove_if(indices.begin(), indices.end(), [&](std::size_t i) { return inside.count(i) > 0; }),
+                  indices.end());
+  }
+
   /// Relief beyond this height over the base belongs to another part of the shape.
   double height_limit() const { return (std::max)(4 * m_patch.spacing(), 0.7 * m_whole.reach); }
 
