@@ -718,6 +718,31 @@ TEST(Hole_detection, A_hole_in_one_side_of_a_thin_plate_is_found)
   }
 }
 
+TEST(Hole_detection, A_slot_in_which_every_sample_is_near_to_a_rim_is_found)
+{
+  for(const double jitter : { 0.15, 0.3 })
+    for(unsigned int seed = 1; seed <= 4; ++seed)
+    {
+      // three rows of twelve points
+      samples::Samples rest;
+      for(const samples::Oriented_point& s : samples::plane(32, 1., jitter, seed))
+        if(std::abs(s.first.x() - 16) > 6 || std::abs(s.first.y() - 16) > 1.2)
+          rest.push_back(s);
+      const Surface_points points = samples::engine_points(rest);
+      const Model model(points);
+      std::size_t number = 0;
+      for(const Detected& h : detected(model))
+      {
+        if(h.is_outer_border)
+          continue;
+        ++number;
+        EXPECT_LT((h.center() - Vector(16, 16, 0)).norm(), 1.);
+        EXPECT_GE(h.patch->number_of_uncovered(), 4u);
+      }
+      EXPECT_EQ(number, 1u) << "jitter " << jitter << ", seed " << seed;
+    }
+}
+
 TEST(Hole_detection, Cap_at_the_pole_of_a_sphere_is_one_hole)
 {
   const double radius = 15.5;   // spacing about 1

@@ -192,7 +192,7 @@ private:
   // found. Irregular samplings have groups of rim points that face each other over a covered place.
   static bool is_evident(const Patch& patch)
   {
-    return patch.number_of_uncovered() >= 4 && patch.rim().size() >= fewest_rim_points() &&
+    return patch.number_of_uncovered() >= Patch::fewest_uncovered() && patch.rim().size() >= fewest_rim_points() &&
            double(patch.rim().size()) * patch.spacing() >= patch.diameter();
   }
 
