@@ -236,6 +236,14 @@ private:
     return sum >= least_opening() * double(patch.rim().size());
   }
 
+  // Around a narrow slot there are few samples but those that points of the rim cover, each the one before it. A base
+  // that is no evidence must not use up its rims.
+  static bool is_mostly_covered(const Patch& patch)
+  {
+    const std::size_t uncovered = patch.number_of_uncovered(), covered = patch.samples().size() - uncovered;
+    return covered > uncovered && (covered > patch.rim().size() || !is_evident(patch));
+  }
+
   // shorter rims that bound nothing are irregularities of the sampling
   static std::size_t fewest_border_points() { return 12; }
 
@@ -298,7 +306,7 @@ private:
     const auto patch = closed_base(loops, grouping, group);
     // neither this nor that: the end of a tube, or the rim of a hole around sharp edges
     if(patch && opening < least_opening() &&
-       (!is_faced(*patch) || 2 * patch->number_of_uncovered() < patch->samples().size()))
+       (!is_faced(*patch) || is_mostly_covered(*patch)))
       return nullptr;
     return patch;
   }
