@@ -718,6 +718,57 @@ TEST(Hole_detection, A_hole_in_one_side_of_a_thin_plate_is_found)
   }
 }
 
+TEST(Hole_detection, A_slot_in_which_every_sample_is_near_to_a_rim_is_found)
+{
+  for(const double jitter : { 0.15, 0.3 })
+    for(unsigned int seed = 1; seed <= 4; ++seed)
+    {
+      // three rows of twelve points
+      samples::Samples rest;
+      for(const samples::Oriented_point& s : samples::plane(32, 1., jitter, seed))
+        if(std::abs(s.first.x() - 16) > 6 || std::abs(s.first.y() - 16) > 1.2)
+          rest.push_back(s);
+      const Surface_points points = samples::engine_points(rest);
+      const Model model(points);
+      std::size_t number = 0;
+      for(const Detected& h : detected(model))
+      {
+        if(h.is_outer_border)
+          continue;
+        ++number;
+        EXPECT_LT((h.center() - Vector(16, 16, 0)).norm(), 1.);
+        EXPECT_GE(h.patch->number_of_uncovered(), 4u);
+      }
+      EXPECT_EQ(number, 1u) << "jitter " << jitter << ", seed " << seed;
+    }
+}
+
+TEST(Hole_detection, A_narrow_slot_around_most_of_a_limb_is_found)
+{
+  // its rims open to each other, hardly to their centre, which is deep inside
+  const double radius = 72. / (2 * samples::pi), middle = 24 * std::sqrt(0.75);
+  for(unsigned int seed = 1; seed <= 2; ++seed)
+  {
+    samples::Samples rest;
+    for(const samples::Oriented_point& s : samples::cylinder(72, 48, radius, 0.15, seed))
+      if(s.first.x() < radius * std::cos(125. / 180. * samples::pi) || std::abs(s.first.z() - middle) > 1.2)
+        rest.push_back(s);
+    const Surface_points points = samples::engine_points(rest);
+    const Model model(points);
+    std::size_t number = 0;
+    for(const Detected& h : detected(model))
+    {
+      if(std::abs(h.center().z() - middle) > 4)
+        continue;
+      ++number;
+      ASSERT_FALSE(h.is_outer_border) << "seed " << seed;
+      for(const Base_sample& s : h.patch->samples())
+        EXPECT_NEAR(s.position.head<2>().norm(), radius, 0.5);
+    }
+    EXPECT_EQ(number, 1u) << "seed " << seed;
+  }
+}
+
 TEST(Hole_detection, Cap_at_the_pole_of_a_sphere_is_one_hole)
 {
   const double radius = 15.5;   // spacing about 1

@@ -192,7 +192,7 @@ private:
   // found. Irregular samplings have groups of rim points that face each other over a covered place.
   static bool is_evident(const Patch& patch)
   {
-    return patch.number_of_uncovered() >= 4 && patch.rim().size() >= fewest_rim_points() &&
+    return patch.number_of_uncovered() >= Patch::fewest_uncovered() && patch.rim().size() >= fewest_rim_points() &&
            double(patch.rim().size()) * patch.spacing() >= patch.diameter();
   }
 
@@ -234,6 +234,14 @@ private:
     for(std::size_t i : patch.rim())
       sum += m_model.normal(i).dot(mean.normalized());
     return sum >= least_opening() * double(patch.rim().size());
+  }
+
+  // Around a narrow slot there are few samples but those that points of the rim cover, each the one before it. A base
+  // that is no evidence must not use up its rims.
+  static bool is_mostly_covered(const Patch& patch)
+  {
+    const std::size_t uncovered = patch.number_of_uncovered(), covered = patch.samples().size() - uncovered;
+    return covered > uncovered && (covered > patch.rim().size() || !is_evident(patch));
   }
 
   // shorter rims that bound nothing are irregularities of the sampling
@@ -298,7 +306,7 @@ private:
     const auto patch = closed_base(loops, grouping, group);
     // neither this nor that: the end of a tube, or the rim of a hole around sharp edges
     if(patch && opening < least_opening() &&
-       (!is_faced(*patch) || 2 * patch->number_of_uncovered() < patch->samples().size()))
+       (!is_faced(*patch) || is_mostly_covered(*patch)))
       return nullptr;
     return patch;
   }
