@@ -161,7 +161,8 @@ private:
       }
       out << "| " << name << " | " << first->kind << " " << cells.str() << "| "
           << text(m_table.best_peer(name, distance)) << " | " << text(ratio(*first, distance)) << " |\n";
-      if(std::isfinite(ratio(*first, distance)))
+      // where a peer is exact to rounding, as on a plane, ratios mean nothing
+      if(m_table.best_peer(name, distance) > 1e-6 && std::isfinite(ratio(*first, distance)))
       {
         ++with_ratio;
         logarithms += std::log((std::max)(ratio(*first, distance), 1e-6));
@@ -169,7 +170,8 @@ private:
     }
     out << "\nThe ratio is " << m_methods.front() << " over the best peer";
     if(with_ratio > 0)
-      out << "; its geometric mean is " << text(std::exp(logarithms / double(with_ratio)));
+      out << "; its geometric mean is " << text(std::exp(logarithms / double(with_ratio))) << " (" << with_ratio
+          << " cases in which the peer is not exact)";
     out << ".\n";
   }
 
