@@ -11,7 +11,7 @@
 #ifndef CGAL_CONTEXT_COMPLETION_3_BENCHMARK_BENCHMARK_CASE_H
 #define CGAL_CONTEXT_COMPLETION_3_BENCHMARK_BENCHMARK_CASE_H
 
-#include "Random_source.h"
+#include "Model_surface.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
@@ -20,7 +20,9 @@
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -44,6 +46,8 @@ struct Benchmark_case
   Vector hole_center = Vector::Zero();
   double hole_radius = 0;
   std::vector<Ball> holes;
+  std::vector<std::size_t> hole_sizes;            ///< points that each hole took, where they were vertices of a mesh
+  Benchmark_surface mesh;                         ///< the input with its triangles, where it was a mesh; else empty
   bool open_boundary = false, natural_holes = false;
   std::size_t rims = 0;                           ///< as counted at the cut; 0: not known
   std::uint64_t seed = 0;
@@ -122,6 +126,9 @@ inline void write_meta(const std::string& file_name, const Benchmark_case& c)
        << ",\n \"seed\": " << c.seed << ",\n \"set\": \"" << c.set << "\",\n \"holes\": [";
   for(std::size_t i = 0; i < c.holes.size(); ++i)
     file << (i == 0 ? "" : ", ") << "[" << json_array(c.holes[i].center) << ", " << c.holes[i].radius << "]";
+  file << "],\n \"hole_sizes\": [";
+  for(std::size_t i = 0; i < c.hole_sizes.size(); ++i)
+    file << (i == 0 ? "" : ", ") << c.hole_sizes[i];
   file << "],\n \"rims\": " << c.rims << ",\n \"open_boundary\": " << c.open_boundary << ",\n \"noise\": " << c.noise
        << ",\n \"natural_holes\": " << c.natural_holes << "\n}\n";
   if(!file.flush())
@@ -133,6 +140,8 @@ inline void write_case(const std::string& folder, const Benchmark_case& c)
   write_points(folder + "/input.ply", c.input);
   write_points(folder + "/removed.ply", c.removed);
   write_points(folder + "/truth.ply", c.truth);
+  if(!c.mesh.faces.empty())
+    write_mesh(folder + "/input.off", c.mesh);
   write_meta(folder + "/meta.json", c);
 }
 
@@ -169,6 +178,11 @@ inline Benchmark_case read_case(const std::string& folder)
     const std::vector<double> ball = numbers(item.second);
     c.holes.push_back({ Vector(ball.at(0), ball.at(1), ball.at(2)), ball.at(3) });
   }
+  if(const auto sizes = meta.get_child_optional("hole_sizes"))
+    for(double size : numbers(*sizes))
+      c.hole_sizes.push_back(std::size_t(size));
+  if(std::filesystem::exists(folder + "/input.off"))
+    c.mesh = read_mesh(folder + "/input.off");
   c.input = read_points(folder + "/input.ply");
   c.removed = read_points(folder + "/removed.ply");
   c.truth = read_points(folder + "/truth.ply");

@@ -89,6 +89,18 @@ struct Benchmark_surface
   }
 };
 
+/// Mean of the normals of the faces at each vertex, weighted by area; zero at a vertex without faces.
+inline std::vector<Vector> vertex_normals(const Benchmark_surface& surface)
+{
+  std::vector<Vector> normals(surface.vertices.size(), Vector::Zero());
+  for(std::size_t f = 0; f < surface.faces.size(); ++f)
+    for(std::size_t v : surface.faces[f])
+      normals[v] += surface.face_vector(f);
+  for(Vector& n : normals)
+    n.normalize();
+  return normals;
+}
+
 /// Uniform samples of the given faces, `number` in all.
 inline Surface_points draw_samples(const Benchmark_surface& surface, const std::vector<std::size_t>& faces,
                                    std::size_t number, Random_source& random)

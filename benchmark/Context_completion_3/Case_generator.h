@@ -11,6 +11,7 @@
 #ifndef CGAL_CONTEXT_COMPLETION_3_BENCHMARK_CASE_GENERATOR_H
 #define CGAL_CONTEXT_COMPLETION_3_BENCHMARK_CASE_GENERATOR_H
 
+#include "Case_assembly.h"
 #include "Case_catalogue.h"
 #include "Points_mesh.h"
 #include "Synthetic_surfaces.h"
@@ -23,23 +24,6 @@
 #include <vector>
 
 namespace Completion_benchmark {
-
-/// Median distance of the points to their nearest neighbours.
-inline double median_spacing(const Surface_points& points)
-{
-  const Neighbor_search search(points.position);
-  std::vector<Neighbor_search::Neighbor> found;
-  std::vector<double> distances;
-  for(const Vector& p : points.position)
-  {
-    search.k_nearest(p, 2, found);
-    distances.push_back(found.back().second);
-  }
-  // the mean of the two middle ones, for an even number
-  std::sort(distances.begin(), distances.end());
-  const std::size_t n = distances.size();
-  return n == 0 ? 0. : 0.5 * (distances[(n - 1) / 2] + distances[n / 2]);
-}
 
 /// Makes the cases that the catalogue describes; the same description gives the same case.
 class Case_generator
@@ -95,13 +79,13 @@ public:
     result.rims = cutter.number_of_rims();
     for(const Hole_cut& cut : cutter.cuts())
       result.holes.push_back({ cut.center, cut.radius });
-    result.truth = truth(surface, result.holes, 0.49 * spacing, random);
+    result.truth = truth_samples(surface, result.holes, 0.49 * spacing, random);
 
     add_noise(result.input, description.noise * spacing, description.noise, random);
     add_noise(result.removed, description.noise * spacing, description.noise, random);
     if(description.is_moved)
       move(result, random);
-    finish(result);
+    set_extents(result);
     return result;
   }
 
@@ -182,43 +166,6 @@ private:
     return samples;
   }
 
-  // the clean surface in and around the holes, denser than the input
-  static Surface_points truth(const Benchmark_surface& surface, const std::vector<Ball>& holes, double radius,
-                              Random_source& random)
-  {
-    std::vector<std::size_t> near;
-    for(std::size_t f = 0; f < surface.faces.size(); ++f)
-    {
-      const Benchmark_surface::Face& v = surface.faces[f];
-      const Vector middle = (surface.vertices[v[0]] + surface.vertices[v[1]] + surface.vertices[v[2]]) / 3;
-      double extent = 0;
-      for(std::size_t i : v)
-        extent = (std::max)(extent, (surface.vertices[i] - middle).norm());
-      for(const Ball& hole : holes)
-        if((middle - hole.center).norm() < 2 * hole.radius + extent)
-        {
-          near.push_back(f);
-          break;
-        }
-    }
-    // large faces reach far beyond: draw first, crop, then thin
-    double area = 0;
-    for(std::size_t f : near)
-      area += 0.5 * surface.face_vector(f).norm();
-    const std::size_t number = std::size_t((std::min)(8 * area / (radius * radius), 4e6)) + 1;
-    const Surface_points drawn = draw_samples(surface, near, number, random);
-    Surface_points cropped;
-    for(std::size_t i = 0; i < drawn.size(); ++i)
-      for(const Ball& hole : holes)
-        if((drawn.position[i] - hole.center).norm() < 2 * hole.radius)
-        {
-          cropped.push_back(drawn.position[i], drawn.normal[i]);
-          break;
-        }
-    const std::vector<double> radii(cropped.size(), radius);
-    return subset(cropped, thin_to_blue_noise(cropped, radii, random));
-  }
-
   // along the normal, as a scanner's; the normals suffer, too
   static void add_noise(Surface_points& points, double deviation, double noise, Random_source& random)
   {
@@ -247,22 +194,6 @@ private:
       hole.center = moved(hole.center);
       hole.radius *= scale;
     }
-  }
-
-  static void finish(Benchmark_case& c)
-  {
-    c.spacing = median_spacing(c.input);
-    Vector low = Vector::Constant(1e300), high = -low;
-    for(const Surface_points* points : { &c.input, &c.removed })
-      for(const Vector& p : points->position)
-      {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-    c.diagonal = (high - low).norm();
-    c.hole_center = c.holes.front().center;
-    for(const Ball& hole : c.holes)
-      c.hole_radius = (std::max)(c.hole_radius, hole.radius);
   }
 
   std::string m_data_folder;

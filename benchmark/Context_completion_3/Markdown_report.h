@@ -78,7 +78,10 @@ public:
   void write(const std::string& file_name) const
   {
     std::ofstream file(file_name);
-    write_distances(file);
+    write_distances(file, "Distance to the true surface (`cham`, in spacings)", &Measures::cham);
+    file << "\n";
+    write_distances(file, "Distance of the removed points (`hole_distance`, in thousandths of the diagonal)",
+                    &Measures::hole_distance);
     for(const std::string& method : m_own)
     {
       write_scores(file, method);
@@ -120,12 +123,12 @@ private:
   }
 
   // against the best peer; of a run that failed infinity
-  double ratio(const Score_row& row) const
+  double ratio(const Score_row& row, double Measures::*distance = &Measures::cham) const
   {
-    const double best = m_table.best_peer(row.name);
+    const double best = m_table.best_peer(row.name, distance);
     if(!std::isfinite(best))
       return std::numeric_limits<double>::quiet_NaN();
-    return row.is_ok() ? row.rank() / best : std::numeric_limits<double>::infinity();
+    return row.is_ok() ? row.rank(distance) / best : std::numeric_limits<double>::infinity();
   }
 
   static void write_rule(std::ostream& out, std::size_t left, std::size_t right)
@@ -137,9 +140,11 @@ private:
     out << "|\n";
   }
 
-  void write_distances(std::ostream& out) const
+  void write_distances(std::ostream& out, const std::string& title, double Measures::*distance) const
   {
-    out << "## Distance to the true surface (`cham`, in spacings)\n\n| case | kind ";
+    double logarithms = 0;
+    std::size_t with_ratio = 0;
+    out << "## " << title << "\n\n| case | kind ";
     for(const std::string& method : m_methods)
       out << "| " << method << " ";
     out << "| best peer | ratio |\n";
@@ -151,13 +156,23 @@ private:
       for(const std::string& method : m_methods)
       {
         const Score_row* row = find(name, method);
-        cells << "| " << (row == nullptr ? "-" : row->is_ok() ? text(row->rank()) : "failed") << " ";
+        cells << "| " << (row == nullptr ? "-" : row->is_ok() ? text(row->rank(distance)) : "failed") << " ";
         first = first == nullptr ? row : first;
       }
-      out << "| " << name << " | " << first->kind << " " << cells.str() << "| " << text(m_table.best_peer(name))
-          << " | " << text(ratio(*first)) << " |\n";
+      out << "| " << name << " | " << first->kind << " " << cells.str() << "| "
+          << text(m_table.best_peer(name, distance)) << " | " << text(ratio(*first, distance)) << " |\n";
+      // where a peer is exact to rounding, as on a plane, ratios mean nothing
+      if(m_table.best_peer(name, distance) > 1e-6 && std::isfinite(ratio(*first, distance)))
+      {
+        ++with_ratio;
+        logarithms += std::log((std::max)(ratio(*first, distance), 1e-6));
+      }
     }
-    out << "\nThe ratio is " << m_methods.front() << " over the best peer.\n";
+    out << "\nThe ratio is " << m_methods.front() << " over the best peer";
+    if(with_ratio > 0)
+      out << "; its geometric mean is " << text(std::exp(logarithms / double(with_ratio))) << " (" << with_ratio
+          << " cases in which the peer is not exact)";
+    out << ".\n";
   }
 
   void write_scores(std::ostream& out, const std::string& method) const
@@ -166,8 +181,8 @@ private:
     if(rows.empty())
       return;
     const char* shown[] = { "count_ratio", "coverage", "hole_max", "spurious", "outside", "acc_rms", "acc_max", "cham",
-                            "normal_deg", "detail_true", "detail_ratio", "detail_w1", "density", "nn_p5", "seam_med",
-                            "seam_p95" };
+                            "hole_distance", "normal_deg", "detail_true", "detail_ratio", "detail_w1", "density",
+                            "nn_p5", "seam_med", "seam_p95" };
     out << "\n## All scores of " << method << "\n\n| case | filling | s ";
     for(const char* name : shown)
       out << "| " << name << " ";

@@ -14,6 +14,7 @@
 #include "Benchmark_case.h"
 #include "Blue_noise.h"
 #include "Local_statistics.h"
+#include "Surface_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,8 @@ namespace Completion_benchmark {
     Euclidean where it is farther than 2 h;
   - `comp_mean`: distance of the removed points to the planes of result and input / h;
     `cham`: mean of that and of `acc_mean`;
+  - `hole_distance`: the same distance, of a surface the distance to its triangles, in thousandths of the diagonal of
+    the model's bounding box, as mesh inpainting is measured;
   - `spurious`: share of the result farther than 3 h from the true surface; `outside`: nearer to the input than to what
     was removed;
   - `normal_deg`, `normal_p95`, `normal_flip`: angle to the nearest true normal, mean, 95th percentile, share above
@@ -47,15 +50,15 @@ namespace Completion_benchmark {
 */
 struct Measures
 {
-  double n_removed = 0, n_added = 0, count_ratio = 0, n_nonfinite = 0, coverage, hole_max, comp_mean, acc_mean, acc_rms,
-         acc_p95, acc_max, cham, spurious, outside, normal_deg, normal_p95, normal_flip, density, nn_p5, detail_ratio,
-         detail_w1, detail_true, detail_n = 0, seam_med, seam_p95, n_rim = 0, elsewhere = 0;
+  double n_removed = 0, n_added = 0, count_ratio = 0, n_nonfinite = 0, coverage, hole_max, comp_mean, hole_distance,
+         acc_mean, acc_rms, acc_p95, acc_max, cham, spurious, outside, normal_deg, normal_p95, normal_flip, density,
+         nn_p5, detail_ratio, detail_w1, detail_true, detail_n = 0, seam_med, seam_p95, n_rim = 0, elsewhere = 0;
 
   Measures()
   {
-    coverage = hole_max = comp_mean = acc_mean = acc_rms = acc_p95 = acc_max = cham = spurious = outside = normal_deg
-      = normal_p95 = normal_flip = density = nn_p5 = detail_ratio = detail_w1 = detail_true = seam_med = seam_p95
-      = std::numeric_limits<double>::quiet_NaN();
+    coverage = hole_max = comp_mean = hole_distance = acc_mean = acc_rms = acc_p95 = acc_max = cham = spurious
+      = outside = normal_deg = normal_p95 = normal_flip = density = nn_p5 = detail_ratio = detail_w1 = detail_true
+      = seam_med = seam_p95 = std::numeric_limits<double>::quiet_NaN();
   }
 
   struct Column { const char* name; double Measures::*value; };
@@ -66,13 +69,13 @@ struct Measures
     static const std::vector<Column> all = {
       { "n_removed", &M::n_removed }, { "n_added", &M::n_added }, { "count_ratio", &M::count_ratio },
       { "n_nonfinite", &M::n_nonfinite }, { "coverage", &M::coverage }, { "hole_max", &M::hole_max },
-      { "comp_mean", &M::comp_mean }, { "acc_mean", &M::acc_mean }, { "acc_rms", &M::acc_rms },
-      { "acc_p95", &M::acc_p95 }, { "acc_max", &M::acc_max }, { "cham", &M::cham }, { "spurious", &M::spurious },
-      { "outside", &M::outside }, { "normal_deg", &M::normal_deg }, { "normal_p95", &M::normal_p95 },
-      { "normal_flip", &M::normal_flip }, { "density", &M::density }, { "nn_p5", &M::nn_p5 },
-      { "detail_ratio", &M::detail_ratio }, { "detail_w1", &M::detail_w1 }, { "detail_true", &M::detail_true },
-      { "detail_n", &M::detail_n }, { "seam_med", &M::seam_med }, { "seam_p95", &M::seam_p95 },
-      { "n_rim", &M::n_rim }, { "elsewhere", &M::elsewhere } };
+      { "comp_mean", &M::comp_mean }, { "hole_distance", &M::hole_distance }, { "acc_mean", &M::acc_mean },
+      { "acc_rms", &M::acc_rms }, { "acc_p95", &M::acc_p95 }, { "acc_max", &M::acc_max }, { "cham", &M::cham },
+      { "spurious", &M::spurious }, { "outside", &M::outside }, { "normal_deg", &M::normal_deg },
+      { "normal_p95", &M::normal_p95 }, { "normal_flip", &M::normal_flip }, { "density", &M::density },
+      { "nn_p5", &M::nn_p5 }, { "detail_ratio", &M::detail_ratio }, { "detail_w1", &M::detail_w1 },
+      { "detail_true", &M::detail_true }, { "detail_n", &M::detail_n }, { "seam_med", &M::seam_med },
+      { "seam_p95", &M::seam_p95 }, { "n_rim", &M::n_rim }, { "elsewhere", &M::elsewhere } };
     return all;
   }
 };
@@ -117,7 +120,9 @@ public:
   Measures score_surface(const Benchmark_surface& surface) const
   {
     Measures m;
-    return score(crop(surface), m);
+    score(crop(surface), m);
+    m.hole_distance = in_diagonals(mean(distances_to_surface(m_case.removed.position, surface)));
+    return m;
   }
 
   /// The samples of a surface that are nearer to a removed point than to a point of the input.
@@ -163,22 +168,21 @@ private:
   // the normals of the vertices, and of the face itself at corners where they differ much: sharp edges stay sharp
   static void set_smooth_normals(Benchmark_surface& surface)
   {
-    std::vector<Vector> normal(surface.vertices.size(), Vector::Zero());
-    for(std::size_t f = 0; f < surface.faces.size(); ++f)
-      for(std::size_t v : surface.faces[f])
-        normal[v] += surface.face_vector(f);
+    const std::vector<Vector> normals = vertex_normals(surface);
     for(std::size_t f = 0; f < surface.faces.size(); ++f)
     {
       const Vector own = surface.face_vector(f).normalized();
       surface.corners.push_back({ own, own, own });
       for(int i = 0; i < 3; ++i)
       {
-        const Vector n = normal[surface.faces[f][i]].normalized();
+        const Vector& n = normals[surface.faces[f][i]];
         if(n.dot(own) > 0.8)
           surface.corners.back()[i] = n;
       }
     }
   }
+
+  double in_diagonals(double distance) const { return 1000 * distance / m_case.diagonal; }
 
   static double distance(const Neighbor_search& search, const Vector& p) { return search.nearest(p).second; }
 
@@ -285,6 +289,7 @@ private:
     }
     m.coverage = covered / double(error.size());
     m.comp_mean = mean(error) / h;
+    m.hole_distance = in_diagonals(mean(error));
   }
 
   void score_detail(const Surface_points& sided, const Neighbor_search& search, const Neighbor_search& whole_search,

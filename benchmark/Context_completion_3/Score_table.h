@@ -40,7 +40,11 @@ struct Score_row
   bool is_ok() const { return status == "ok"; }
 
   /// The distance that ranks methods; what nothing was added to is as far away as its nearest input.
-  double rank() const { return std::isnan(measures.cham) ? measures.comp_mean : measures.cham; }
+  double rank(double Measures::*distance = &Measures::cham) const
+  {
+    const bool is_cham = distance == &Measures::cham;
+    return is_cham && std::isnan(measures.cham) ? measures.comp_mean : measures.*distance;
+  }
 };
 
 inline std::vector<std::string> split_line(const std::string& line, char separator)
@@ -103,15 +107,16 @@ public:
 
   void set_peers(const std::set<std::string>& names) { m_peers = names; }
 
-  /// Lowest distance of any peer, infinity if none gave a result.
-  double best_peer(const std::string& name) const
+  /// Lowest distance of any peer, infinity if none gave a result. Of further peers `cham` alone is known.
+  double best_peer(const std::string& name, double Measures::*distance = &Measures::cham) const
   {
     double best = std::numeric_limits<double>::infinity();
     for(const Score_row& row : m_rows)
-      if(row.name == name && m_peers.count(row.method) != 0 && row.is_ok() && !std::isnan(row.measures.cham))
-        best = (std::min)(best, row.measures.cham);
+      if(row.name == name && m_peers.count(row.method) != 0 && row.is_ok()
+         && !std::isnan(row.measures.*distance))
+        best = (std::min)(best, row.measures.*distance);
     const auto further = m_further_peers.find(name);
-    if(further != m_further_peers.end())
+    if(distance == &Measures::cham && further != m_further_peers.end())
       for(const auto& peer : further->second)
         best = (std::min)(best, peer.second);
     return best;

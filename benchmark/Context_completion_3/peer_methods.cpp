@@ -10,20 +10,19 @@
 // Author(s)     : The Context_completion_3 authors
 #include "Completion_method.h"
 #include "Points_mesh.h"
+#include "Surface_mesh_conversion.h"
 #include "Time_limit.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Random.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_average_spacing.h>
 #include <CGAL/poisson_surface_reconstruction.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <set>
 #include <stdexcept>
@@ -36,25 +35,6 @@ namespace Completion_benchmark {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-
-Benchmark_surface surface_of(const Mesh& mesh)
-{
-  Benchmark_surface result;
-  std::vector<std::size_t> index(mesh.num_vertices() + mesh.number_of_removed_vertices());
-  for(Mesh::Vertex_index v : mesh.vertices())
-  {
-    index[v] = result.vertices.size();
-    const Kernel::Point_3& p = mesh.point(v);
-    result.vertices.emplace_back(p.x(), p.y(), p.z());
-  }
-  for(Mesh::Face_index f : mesh.faces())
-  {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.faces.push_back({ index[mesh.source(h)], index[mesh.target(h)], index[mesh.target(mesh.next(h))] });
-  }
-  return result;
-}
 
 Benchmark_surface reconstruct(const Benchmark_case& c)
 {
@@ -75,34 +55,54 @@ Benchmark_surface reconstruct(const Benchmark_case& c)
   if(!CGAL::poisson_surface_reconstruction_delaunay(points.begin(), points.end(), Point_map(), Normal_map(), mesh,
                                                     spacing))
     throw std::runtime_error("no Poisson reconstruction");
-  return surface_of(mesh);
+  return to_surface(mesh);
 }
 
-/*!
-  Hole filling starts from a mesh. It gets the best that there can be: the triangles of input and removed points
-  together, without those that touch a removed point, so that only the filling is compared.
-*/
-Benchmark_surface fill_and_fair(const Benchmark_case& c)
+/// A mesh to be filled. The borders that the model itself has are not rims.
+struct Mesh_with_holes
+{
+  Mesh mesh;
+  std::function<bool(const Kernel::Point_3&)> is_at_rim;      ///< for points of borders
+};
+
+// of a case of vertices: its own mesh
+Mesh_with_holes given_mesh(const Benchmark_case& c)
+{
+  // the balls enclose the rims
+  const auto is_at_rim = [&c](const Kernel::Point_3& p)
+  {
+    return std::any_of(c.holes.begin(), c.holes.end(), [&p](const Ball& ball)
+      { return (Vector(p.x(), p.y(), p.z()) - ball.center).norm() <= (1 + 1e-9) * ball.radius; });
+  };
+  return { to_mesh(c.mesh.vertices, c.mesh.faces), is_at_rim };
+}
+
+// of points the best that there can be: the triangles of input and removed points together, without those that touch a
+// removed point, so that only the filling is compared
+Mesh_with_holes best_mesh(const Benchmark_case& c)
 {
   Surface_points whole = c.input;
   for(std::size_t i = 0; i < c.removed.size(); ++i)
     whole.push_back(c.removed.position[i], c.removed.normal[i]);
-  std::vector<Kernel::Point_3> points;
-  for(const Vector& p : c.input.position)
-    points.emplace_back(p.x(), p.y(), p.z());
-  std::vector<std::vector<std::size_t> > kept;
+  std::vector<Benchmark_surface::Face> kept;
   std::set<Kernel::Point_3> rim;
   for(const Benchmark_surface::Face& f : triangles_of(whole))
-    if(*std::max_element(f.begin(), f.end()) < points.size())
-      kept.emplace_back(f.begin(), f.end());
+    if(*std::max_element(f.begin(), f.end()) < c.input.size())
+      kept.push_back(f);
     else
       for(std::size_t v : f)
-        if(v < points.size())
-          rim.insert(points[v]);
-  PMP::orient_polygon_soup(points, kept);
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, kept, mesh);
+        if(v < c.input.size())
+        {
+          const Vector& p = c.input.position[v];
+          rim.insert(Kernel::Point_3(p.x(), p.y(), p.z()));
+        }
+  return { to_mesh(c.input.position, kept), [rim](const Kernel::Point_3& p) { return rim.count(p) != 0; } };
+}
 
+Benchmark_surface fill_and_fair(const Benchmark_case& c)
+{
+  Mesh_with_holes start = c.mesh.faces.empty() ? best_mesh(c) : given_mesh(c);
+  Mesh& mesh = start.mesh;
   std::vector<Mesh::Halfedge_index> cycles;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(cycles));
   std::size_t filled = 0;
@@ -113,7 +113,7 @@ Benchmark_surface fill_and_fair(const Benchmark_case& c)
     do
     {
       ++size;
-      at_rim += rim.count(mesh.point(mesh.target(h)));
+      at_rim += start.is_at_rim(mesh.point(mesh.target(h)));
       h = mesh.next(h);
     }
     while(h != cycle);
@@ -126,7 +126,7 @@ Benchmark_surface fill_and_fair(const Benchmark_case& c)
   }
   if(filled == 0)
     throw std::runtime_error("no hole of the mesh could be filled");
-  return surface_of(mesh);
+  return to_surface(mesh);
 }
 
 // Both end within seconds where they end.
