@@ -16,6 +16,7 @@
 #include <CGAL/Context_completion_3/internal/Completion_engine.h>
 #include <CGAL/Context_completion_3/internal/Facet.h>
 #include <CGAL/Context_completion_3/internal/Facet_continuation.h>
+#include <CGAL/Context_completion_3/internal/Facet_sampling.h>
 #include <CGAL/Context_completion_3/internal/Facet_segmentation.h>
 
 #include <CGAL/tags.h>
@@ -257,6 +258,50 @@ TEST(Sharp_edges, facets_meet_in_the_hole_where_those_of_the_solid_do)
     EXPECT_LE(missed, tried / 20);      // beside an edge another facet may be nearer
     EXPECT_LE(turned, tried / 20);
   }
+}
+
+TEST(Sharp_edges, points_on_facets_fill_the_hole_and_end_at_its_rim)
+{
+  for(const Edged_surface& surface : edged_surfaces())
+  {
+    SCOPED_TRACE(surface.name);
+    const double radius = surface.name == "stairs" ? 8 : 7;
+    const Facet_continuation facets(surface.known, distances_to_rim(surface, radius), 1.1, radius);
+    std::vector<Vector> seeds;
+    for(std::size_t i = 0; i < surface.known.size(); ++i)
+      if(surface.known.position[i].norm() < radius + 0.5)
+        seeds.push_back(surface.known.position[i] - 1.7 * surface.known.position[i].normalized());
+    const Surface_points points = sample_facets(facets, surface.known, seeds, 1.1, 1000);
+    for(const Vector& p : surface.removed.position)
+      EXPECT_LT((std::min)(samples::nearest_distance(p, points.position),
+                           samples::nearest_distance(p, surface.known.position)), 1.6);
+    for(std::size_t i = 0; i < points.size(); ++i)
+    {
+      EXPECT_LT(points.position[i].norm(), radius + 1.5);
+      EXPECT_LT(std::abs(surface.distance(points.position[i])), 0.05);
+    }
+    EXPECT_LT(points.size(), 2 * surface.removed.size());
+  }
+}
+
+TEST(Sharp_edges, facets_that_run_off_give_no_points)
+{
+  // the far half of the surroundings is not known: nothing stops the facets there
+  const Edged_surface surface = cut("stairs", stairs, 22, 8);
+  Surface_points half;
+  std::vector<double> distance;
+  std::vector<Vector> seeds;
+  for(std::size_t i = 0; i < surface.known.size(); ++i)
+    if(surface.known.position[i].y() < 0)
+    {
+      half.push_back(surface.known.position[i], surface.known.normal[i]);
+      distance.push_back((std::max)(0., surface.known.position[i].norm() - 8));
+      if(distance.back() < 0.5)
+        seeds.push_back(surface.known.position[i] - 1.7 * surface.known.position[i].normalized());
+    }
+  const Facet_continuation facets(half, distance, 1.1, 8);
+  ASSERT_TRUE(facets.is_sharp());
+  EXPECT_EQ(0u, sample_facets(facets, half, seeds, 1.1, 1000).size());
 }
 
 TEST(Sharp_edges, noise_hides_no_edge)

@@ -30,7 +30,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,9 +59,10 @@ class Copy_forecast
 public:
   static constexpr std::size_t target = Fake_hole_statistics::target;
 
+  /// \param facets if sharp edges go into the hole, or null
   Copy_forecast(const Patch& patch, const Base_family<ConcurrencyTag>& family, const std::vector<Place>& places,
-                const std::vector<Place_relief>& reliefs, const Place_facets<ConcurrencyTag>* facets, double radius,
-                const Ingredients& ingredients)
+                const std::vector<Place_relief>& reliefs, double radius, const Ingredients& ingredients,
+                const Place_facets<ConcurrencyTag>* facets = nullptr)
     : m_patch(patch), m_places(places), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
       m_statistics(places, coverages(reliefs), mismatch(), radius, patch.spacing())
   {
@@ -84,8 +87,8 @@ public:
   /// Whether there are enough fake holes to learn from.
   bool has_fake_holes() const { return m_statistics.is_sufficient(); }
 
-  /// The facets that the smooth plan is made of, or null.
-  const Faceted_relief* facets() const { return m_facets.get(); }
+  /// Points on the facets that the smooth plan is made of; none if it is not.
+  const Surface_points& facet_points() const { return m_facet_points; }
 
   /// Heights over the samples of the base that a plan gives in the hole.
   Eigen::VectorXd heights(const Filling_plan& plan) const { return predict(plan, target); }
@@ -280,44 +283,33 @@ private:
   }
 
   // Where edges go into the hole, facets that go on until they meet take the place of the smooth base, if they do better
-  // on the fake holes or, without those, on the surroundings.
+  // on the fake holes. Without those there is nothing to learn from but the surroundings, which they explain.
   void choose_facets(const Place_facets<ConcurrencyTag>& facets)
   {
-    const std::vector<std::size_t>& judges = m_statistics.judges();
-    const Eigen::Index own = m_statistics.column(target);
-    const auto relief = std::make_shared<const Faceted_relief>(facets.own_relief(m_smooth.col(own)));
-    if(!relief->is_complete())
+    Surface_points points = facets.own_points();
+    if(points.size() == 0)
       return;
-    const bool is_learnt = m_statistics.is_sufficient() && m_ingredients.fake_holes;
     Eigen::MatrixXd faceted = m_smooth;
-    double gain = 0;
-    if(is_learnt)
+    if(m_statistics.is_sufficient() && m_ingredients.fake_holes)
     {
+      const std::vector<std::size_t>& judges = m_statistics.judges();
       const double floor = smallest_error() * m_patch.spacing();
       std::vector<double> gains(judges.size(), 0.);
       for_each_index<ConcurrencyTag>(judges.size(), [&](std::size_t i)
       {
         const std::size_t k = judges[i];
         const Eigen::Index column = m_statistics.column(k);
-        faceted.col(column) = facets.relief(m_places[k], m_smooth.col(column)).height;
+        faceted.col(column) = facets.heights(m_places[k], m_smooth.col(column));
         gains[i] = judge_weights()[i] * (std::log(error(m_smooth.col(column), k) + floor)
                                          - std::log(error(faceted.col(column), k) + floor));
       });
-      for(double g : gains)
-        gain += g;
+      if(!(std::accumulate(gains.begin(), gains.end(), 0.) > 0))
+        return;
     }
-    else
-    {
-      const double error = facets.sector_error();
-      gain = std::log(m_sector_error) - std::log(error);
-      if(gain > 0)
-        m_sector_error = error;
-    }
-    if(!(gain > 0))
-      return;
-    faceted.col(own) = relief->height;
+    const Eigen::Index own = m_statistics.column(target);
+    faceted.col(own) = facets.own_heights(m_smooth.col(own));
     m_smooth.swap(faceted);
-    m_facets = relief;
+    m_facet_points = std::move(points);
   }
 
   // A copy that is to be believed and the smooth base cannot both be right where they differ. A feature that the rim
@@ -418,7 +410,7 @@ private:
   Ingredients m_ingredients;
   double m_sector_error = 0;
   Fake_hole_statistics m_statistics;
-  std::shared_ptr<const Faceted_relief> m_facets;
+  Surface_points m_facet_points;
   Eigen::MatrixXd m_smooth;                           // samples x places, the hole last
   Warps m_warps;
   Eigen::VectorXd m_roughness;                        // per place, the hole last

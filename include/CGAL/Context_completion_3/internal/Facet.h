@@ -92,6 +92,19 @@ public:
   /// Signed distance, to first order.
   double distance(const Vector& x) const { return taubin_distance(m_quadric, x); }
 
+  /// The point near `x` to which the gradient leads.
+  Vector projection(Vector x) const
+  {
+    for(int step = 0; step < 3; ++step)
+    {
+      const Vector g = gradient(m_quadric, x);
+      const double square = g.squaredNorm();
+      if(square > 0)
+        x -= value(m_quadric, x) / square * g;
+    }
+    return x;
+  }
+
   Vector normal(const Vector& x) const { return gradient(m_quadric, x).normalized(); }
 
   /// Where the line from `x` along `direction` meets the facet.

@@ -84,6 +84,25 @@ public:
     return nearest < std::numeric_limits<double>::infinity();
   }
 
+  /// Moves `x` to the nearest place of the surface up to `reach` away. \return whether there is one
+  bool project(Vector& x, double reach, Vector& normal) const
+  {
+    double nearest = reach;
+    bool is_found = false;
+    const Vector from = x;
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+    {
+      const Vector p = m_facets[f].projection(from);
+      if(!((p - from).norm() <= nearest) || !is_surface(f, p))
+        continue;
+      nearest = (p - from).norm();
+      x = p;
+      normal = m_facets[f].normal(p);
+      is_found = true;
+    }
+    return is_found;
+  }
+
 private:
   typedef std::uint32_t Sides;       // a bit per facet: whether above it
   typedef std::array<double, 2> Votes;

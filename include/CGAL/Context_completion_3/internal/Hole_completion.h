@@ -54,6 +54,7 @@ struct Hole_match
   Plan_forecast smooth, chosen;
   double best = 0;                         ///< mismatch of the best place
   bool has_fake_holes = false;             ///< whether the forecasts are learnt
+  bool continues_edges = false;            ///< whether the smooth plan is made of facets
 
   /// Forgets what only `Hole_completion::relief()` needs.
   void shrink()
@@ -103,8 +104,11 @@ public:
     result.heights = match.forecast->heights(chosen.plan);
     result.errors = match.forecast->errors(chosen);
     result.copy.assign(patch.samples().size(), no_index);
-    if(chosen.plan.places == 0 && match.forecast->facets() != nullptr)
-      result.normals = match.forecast->facets()->normal;
+    if(chosen.plan.places == 0 && match.continues_edges)
+    {
+      result.facets = match.forecast->facet_points();
+      result.is_faceted.assign(patch.samples().size(), 1);
+    }
     if(match.places.empty())
       return result;
     const Place* place = nullptr;
@@ -250,11 +254,12 @@ private:
       { match.reliefs[i] = match.sampler->relief(match.places[i]); });
     const Place_facets<ConcurrencyTag> facets(m_known, patch, *match.sampler, m_sources);
     const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(
-      patch, family, match.places, match.reliefs, m_ingredients.facets && facets.is_sharp() ? &facets : nullptr,
-      target.radius, m_ingredients);
+      patch, family, match.places, match.reliefs, target.radius, m_ingredients,
+      m_ingredients.facets && facets.is_sharp() ? &facets : nullptr);
     match.forecast = forecast;
     poll();
     match.has_fake_holes = forecast->has_fake_holes();
+    match.continues_edges = forecast->facet_points().size() > 0;
     if(!match.places.empty())
       match.best = forecast->match(forecast->ranking().front());
     const std::vector<Plan_forecast> forecasts = forecast->forecasts();
@@ -314,6 +319,8 @@ private:
       text << "copied from " << chosen.plan.places << (chosen.plan.places == 1 ? " place" : " places") << ", share "
            << chosen.plan.share << ": forecast " << chosen.error / spacing << " spacings, smooth "
            << match.smooth.error / spacing;
+    if(chosen.plan.places == 0 && match.continues_edges)
+      text << "; sharp edges go on until they meet";
     if(replaced > 0)
       text << "; finer levels copied " << replaced << (replaced == 1 ? " piece" : " pieces");
     return text.str();

@@ -16,6 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Place.h>
+#include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <Eigen/Dense>
 
@@ -42,7 +43,8 @@ struct Hole_relief
   Eigen::VectorXd errors;                ///< per sample: to be expected
   std::vector<Carried_place> copies;
   std::vector<std::size_t> copy;         ///< per sample: index of the copy, `no_index`: none
-  std::vector<Vector> normals;           ///< per sample, zero or none: those of the heights, which round edges off
+  Surface_points facets;                 ///< points on facets, which heights cannot tell where they are steep
+  std::vector<char> is_faceted;          ///< per sample, or empty: those points take its place
 };
 
 } // namespace internal

@@ -209,22 +209,35 @@ private:
     const Eigen::VectorXd& heights = relief.heights;
     // samples keep their distance from each other; carried points may be anywhere
     const double smooth_room = relief.copies.empty() ? 0.5 : 0.8;
+    const auto is_known = [&](const Vector& foot)
+    {
+      bool result = false;
+      feet.for_each_in_ball(foot, 0.8 * m_patch.spacing(), [&](std::size_t, double) {
+        result = true;
+        return false; });
+      return result;
+    };
+    for(std::size_t f = 0; f < relief.facets.size(); ++f)
+    {
+      const std::size_t s = m_sampler.search().nearest(relief.facets.position[f]).first;
+      if(!relief.is_faceted[s] || is_known(m_patch.samples()[s].position))
+        continue;
+      Added_point point;
+      point.position = relief.facets.position[f];
+      point.normal = relief.facets.normal[f];
+      add(point, 0.8, 0.75, 0.9, grid, result);
+    }
     for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
     {
       const Base_sample& b = m_patch.samples()[s];
-      bool is_known = false;
-      feet.for_each_in_ball(b.position, 0.8 * m_patch.spacing(), [&](std::size_t, double) {
-        is_known = true;
-        return false; });
-      if(is_known)
+      if((!relief.is_faceted.empty() && relief.is_faceted[s]) || is_known(b.position))
         continue;
       const double room = relief.copy[s] == no_index ? smooth_room : 1.15;
       double height; Vector gradient, direction;
       m_sampler.interpolate(s, b.position, heights, height, gradient, direction);
       Added_point point;
       point.position = b.position + heights[Eigen::Index(s)] * b.normal;
-      const bool has_normal = !relief.normals.empty() && !relief.normals[s].isZero();
-      point.normal = has_normal ? relief.normals[s] : Vector((b.normal - gradient).normalized());
+      point.normal = (b.normal - gradient).normalized();
       if(relief.copy[s] != no_index)
       {
         const Place& place = relief.copies[relief.copy[s]].place;

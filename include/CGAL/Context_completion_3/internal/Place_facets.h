@@ -16,16 +16,14 @@
 
 #include <CGAL/Context_completion_3/internal/Example_source.h>
 #include <CGAL/Context_completion_3/internal/Facet_continuation.h>
+#include <CGAL/Context_completion_3/internal/Facet_sampling.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Place.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
-#include <CGAL/number_utils.h>
-
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -34,17 +32,6 @@
 namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
-
-/// A surface over the samples of a base.
-struct Faceted_relief
-{
-  Eigen::VectorXd height;             ///< per sample
-  std::vector<char> is_found;         ///< per sample
-  std::vector<Vector> normal;         ///< per sample, where it is found
-  double share = 0;                   ///< of samples where it is found
-
-  bool is_complete() const { return share > 0.9; }
-};
 
 /// Continues the facets around a hole, and those around its source places as if each had that hole, over the samples of
 /// the base.
@@ -58,7 +45,7 @@ class Place_facets
 public:
   Place_facets(const Model& known, const Patch& patch, const Relief_sampler<ConcurrencyTag>& sampler,
                const std::vector<Source>& sources)
-    : m_patch(patch), m_sampler(sampler), m_sources(sources)
+    : m_known(known), m_patch(patch), m_sampler(sampler), m_sources(sources)
   {
     for(const Band_point& b : patch.band())
     {
@@ -73,11 +60,25 @@ public:
   /// Whether sharp edges go into the hole.
   bool is_sharp() const { return m_own->is_sharp(); }
 
-  /// The facets around the hole. \param guess heights, per sample: of several surfaces the nearest is taken
-  Faceted_relief own_relief(const Eigen::VectorXd& guess) const { return relief(*m_own, guess); }
+  /// Heights of the facets around the hole over the samples.
+  /// \param guess per sample: of several surfaces the nearest to it is taken, and where there is none, it stays
+  Eigen::VectorXd own_heights(const Eigen::VectorXd& guess) const { return heights(*m_own, guess); }
 
-  /// The facets around a place, without what it has in the hole.
-  Faceted_relief relief(const Place& place, const Eigen::VectorXd& guess) const
+  /// Points on them within the hole; none if they do not close it.
+  Surface_points own_points() const
+  {
+    // as far apart as the known points, and about as many as of these there would be, which lie less evenly
+    const double spacing = std::sqrt(m_patch.spacing() * m_patch.surroundings()->area_spacing_behind());
+    std::vector<Vector> seeds;
+    for(double step : {1.4, 1.})
+      for(const Rim_loop& loop : m_patch.loops())
+        for(const Rim_point& p : loop.points)
+          seeds.push_back(m_known.position(p.index) + step * spacing * p.outward);
+    return sample_facets(*m_own, m_band, seeds, spacing, 4 * m_patch.samples().size() + 60);
+  }
+
+  /// The same of the facets around a place, without what it has in the hole.
+  Eigen::VectorXd heights(const Place& place, const Eigen::VectorXd& guess) const
   {
     const Model& model = *m_sources[place.source].model;
     std::vector<std::size_t> indices;
@@ -94,77 +95,24 @@ public:
       points.push_back(x, n);
       distance.push_back(m_distance[nearest.first]);
     }
-    return relief(Facet_continuation(points, distance, m_patch.area_spacing(), m_patch.scale()), guess);
-  }
-
-  /// Mean error of the facets in the prediction of six sectors of the surroundings from the others.
-  double sector_error() const
-  {
-    Vector middle = Vector::Zero(), axis = Vector::Zero();
-    for(const Base_sample& s : m_patch.samples())
-    {
-      middle += s.position;
-      axis += s.normal;
-    }
-    middle /= double(m_patch.samples().size());
-    axis = axis.norm() > 0 ? axis.normalized() : Vector(Vector::UnitZ());
-    const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
-    const std::size_t sectors = 6;
-    std::vector<std::size_t> sector_of;
-    for(const Vector& p : m_band.position)
-    {
-      const double turn = std::atan2((p - middle).dot(v), (p - middle).dot(u)) / (2 * CGAL_PI) + 0.5;
-      sector_of.push_back((std::min)(sectors - 1, std::size_t(double(sectors) * turn)));
-    }
-    const double limit = 0.3 * m_patch.scale();
-    double sum = 0;
-    std::size_t count = 0;
-    for(std::size_t sector = 0; sector < sectors; ++sector)
-    {
-      Surface_points others;
-      std::vector<double> distance;
-      for(std::size_t i = 0; i < m_band.size(); ++i)
-        if(sector_of[i] != sector)
-        {
-          others.push_back(m_band.position[i], m_band.normal[i]);
-          distance.push_back(m_distance[i]);
-        }
-      const Facet_continuation facets(others, distance, m_patch.area_spacing(), m_patch.scale());
-      for(std::size_t i = 0; i < m_band.size(); ++i)
-        if(sector_of[i] == sector && m_distance[i] < 0.35 * m_patch.scale())
-        {
-          double height = limit;
-          Vector normal;
-          if(!facets.find(m_band.position[i], m_band.normal[i], 0, limit, height, normal))
-            height = limit;
-          sum += std::abs(height);
-          ++count;
-        }
-    }
-    return count > 0 ? sum / double(count) : limit;
+    return heights(Facet_continuation(points, distance, m_patch.area_spacing(), m_patch.scale()), guess);
   }
 
 private:
-  Faceted_relief relief(const Facet_continuation& facets, const Eigen::VectorXd& guess) const
+  Eigen::VectorXd heights(const Facet_continuation& facets, const Eigen::VectorXd& guess) const
   {
-    const std::vector<Base_sample>& samples = m_patch.samples();
-    Faceted_relief result;
-    result.height = guess;
-    result.is_found.assign(samples.size(), 0);
-    result.normal.assign(samples.size(), Vector::Zero());
-    std::size_t found = 0;
-    for(std::size_t s = 0; s < samples.size(); ++s)
+    Eigen::VectorXd result = guess;
+    for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
     {
-      double& height = result.height[Eigen::Index(s)];
-      if(!facets.find(samples[s].position, samples[s].normal, height, m_sampler.height_limit(), height, result.normal[s]))
-        continue;
-      result.is_found[s] = 1;
-      ++found;
+      double& height = result[Eigen::Index(s)];
+      Vector normal;
+      facets.find(m_patch.samples()[s].position, m_patch.samples()[s].normal, height, m_sampler.height_limit(), height,
+                  normal);
     }
-    result.share = samples.empty() ? 0. : double(found) / double(samples.size());
     return result;
   }
 
+  const Model& m_known;
   const Patch& m_patch;
   const Relief_sampler<ConcurrencyTag>& m_sampler;
   const std::vector<Source>& m_sources;
