@@ -30,7 +30,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,7 +62,7 @@ public:
   Copy_forecast(const Patch& patch, const Base_family<ConcurrencyTag>& family, const std::vector<Place>& places,
                 const std::vector<Place_relief>& reliefs, double radius, const Ingredients& ingredients,
                 const Place_facets<ConcurrencyTag>* facets = nullptr)
-    : m_patch(patch), m_places(places), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
+    : m_patch(patch), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
       m_statistics(places, coverages(reliefs), mismatch(), radius, patch.spacing())
   {
     // the hole is the last column: nothing but the known surface
@@ -74,7 +73,7 @@ public:
     m_roughness = family.roughness(rim);
     combine_bases(family, rim);
     if(facets != nullptr)
-      choose_facets(*facets);
+      choose_facets(*facets, places);
     choose_warps(family.membrane(), family.rim_values(rim));
   }
 
@@ -233,14 +232,25 @@ private:
     });
   }
 
-  // Mean logarithm of the error that the best place of each fake hole makes there.
-  double loss_of_whole_copies() const
+  // Mean logarithm over the fake holes of an error there: one that is quite different must not decide.
+  double mean_log(const std::function<double(std::size_t)>& error_of) const
   {
     double loss = 0;
     for(std::size_t i = 0; i < m_statistics.judges().size(); ++i)
-      loss += judge_weights()[i] *
-        std::log(fake_error(Filling_plan(1, 1), m_statistics.judges()[i]) + smallest_error() * m_patch.spacing());
+      loss += judge_weights()[i] * std::log(error_of(m_statistics.judges()[i]) + smallest_error() * m_patch.spacing());
     return loss;
+  }
+
+  // of what the best place of each fake hole makes of it
+  double loss_of_whole_copies() const
+  {
+    return mean_log([&](std::size_t k) { return fake_error(Filling_plan(1, 1), k); });
+  }
+
+  // of heights, a column per place
+  double loss(const Eigen::MatrixXd& heights) const
+  {
+    return mean_log([&](std::size_t k) { return error(heights.col(m_statistics.column(k)), k); });
   }
 
   // the heights of place `j`, which is among the best ones of `k`, there
@@ -258,22 +268,17 @@ private:
   void combine_bases(const Base_family<ConcurrencyTag>& family, const Eigen::MatrixXd& rim)
   {
     const double floor = smallest_error() * m_patch.spacing();
-    const std::vector<std::size_t>& judges = m_statistics.judges();
     std::vector<Eigen::MatrixXd> heights(family.size());
     std::vector<double> errors(family.size(), 0.);
     for_each_index<ConcurrencyTag>(family.size(), [&](std::size_t m)
     {
       heights[m] = family.heights(m, rim);
-      for(std::size_t i = 0; i < judges.size(); ++i)
-        errors[m] += judge_weights()[i] *
-          std::log(error(heights[m].col(m_statistics.column(judges[i])), judges[i]) + floor);
-      errors[m] = std::exp(errors[m]);
+      errors[m] = std::exp(loss(heights[m]));
     });
     std::vector<double> sector_errors = family.sector_errors();
     for(std::size_t m = 0; m < family.size(); ++m)
       if(family.is_kriging(m) && !m_ingredients.kriging)
         errors[m] = sector_errors[m] = 1e3 * m_radius;
-    // the geometric mean over the fake holes: one that is quite different must not decide
     const std::vector<double> weights = !m_statistics.is_sufficient() || !m_ingredients.fake_holes
       ? family.weights(sector_errors, floor, 4) : family.weights(errors, floor, 8);
     m_smooth = family.combine(heights, weights);
@@ -284,7 +289,7 @@ private:
 
   // Where edges go into the hole, facets that go on until they meet take the place of the smooth base, if they do better
   // on the fake holes. Without those there is nothing to learn from but the surroundings, which they explain.
-  void choose_facets(const Place_facets<ConcurrencyTag>& facets)
+  void choose_facets(const Place_facets<ConcurrencyTag>& facets, const std::vector<Place>& places)
   {
     Surface_points points = facets.own_points();
     if(points.size() == 0)
@@ -293,17 +298,12 @@ private:
     if(m_statistics.is_sufficient() && m_ingredients.fake_holes)
     {
       const std::vector<std::size_t>& judges = m_statistics.judges();
-      const double floor = smallest_error() * m_patch.spacing();
-      std::vector<double> gains(judges.size(), 0.);
       for_each_index<ConcurrencyTag>(judges.size(), [&](std::size_t i)
       {
-        const std::size_t k = judges[i];
-        const Eigen::Index column = m_statistics.column(k);
-        faceted.col(column) = facets.heights(m_places[k], m_smooth.col(column));
-        gains[i] = judge_weights()[i] * (std::log(error(m_smooth.col(column), k) + floor)
-                                         - std::log(error(faceted.col(column), k) + floor));
+        const Eigen::Index column = m_statistics.column(judges[i]);
+        faceted.col(column) = facets.heights(places[judges[i]], m_smooth.col(column));
       });
-      if(!(std::accumulate(gains.begin(), gains.end(), 0.) > 0))
+      if(!(loss(faceted) < loss(m_smooth)))
         return;
     }
     const Eigen::Index own = m_statistics.column(target);
@@ -404,13 +404,12 @@ private:
   }
 
   const Patch& m_patch;
-  std::vector<Place> m_places;
   std::vector<Place_relief> m_reliefs;
   double m_radius;
   Ingredients m_ingredients;
   double m_sector_error = 0;
   Fake_hole_statistics m_statistics;
-  Surface_points m_facet_points;
+  Surface_points m_facet_points;                      // if the smooth base is made of facets
   Eigen::MatrixXd m_smooth;                           // samples x places, the hole last
   Warps m_warps;
   Eigen::VectorXd m_roughness;                        // per place, the hole last

@@ -14,7 +14,9 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Facet.h>
 #include <CGAL/Context_completion_3/internal/Facet_segmentation.h>
+#include <CGAL/Context_completion_3/internal/Sharp_fit.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <algorithm>
@@ -109,6 +111,7 @@ private:
 
   static std::size_t most_facets() { return 12; }
 
+  // In double: near a facet, where rounding could decide, `is_surface()` sets its side and `vote()` asks no point.
   Sides sides(const Vector& p) const
   {
     Sides result = 0;

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,7 +44,7 @@ public:
     \param scale of the hole: its radius
   */
   Facet_segmentation(const Surface_points& points, double spacing, double scale)
-    : m_points(points), m_spacing(spacing)
+    : m_points(points)
   {
     Neighbor_search search(points.position);
     m_links.resize(points.size());
@@ -61,11 +60,13 @@ public:
     merge();
   }
 
+  /// The facets, by no particular order but always the same.
   const std::vector<Facet>& facets() const { return m_facets; }
 
   /// Index of the facet that a point belongs to, `none` at edges and blends.
   std::size_t facet_of(std::size_t point) const { return m_facet_of[point]; }
 
+  /// Points near to a point, itself included.
   const std::vector<std::size_t>& links(std::size_t point) const { return m_links[point]; }
 
   /// Points farther from a facet are not on it.
@@ -207,7 +208,6 @@ private:
   }
 
   const Surface_points& m_points;
-  double m_spacing;
   std::vector<std::vector<std::size_t> > m_links;
   Facet_precision m_precision;
   double m_tolerance = 0;

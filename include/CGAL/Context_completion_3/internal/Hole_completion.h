@@ -252,10 +252,12 @@ private:
     match.reliefs.resize(match.places.size());
     for_each_index<ConcurrencyTag>(match.places.size(), [&](std::size_t i)
       { match.reliefs[i] = match.sampler->relief(match.places[i]); });
-    const Place_facets<ConcurrencyTag> facets(m_known, patch, *match.sampler, m_sources);
+    std::unique_ptr<const Place_facets<ConcurrencyTag> > facets;
+    if(m_ingredients.facets)
+      facets = std::make_unique<const Place_facets<ConcurrencyTag> >(m_known, patch, *match.sampler, m_sources);
     const auto forecast = std::make_shared<Copy_forecast<ConcurrencyTag> >(
       patch, family, match.places, match.reliefs, target.radius, m_ingredients,
-      m_ingredients.facets && facets.is_sharp() ? &facets : nullptr);
+      facets && facets->is_sharp() ? facets.get() : nullptr);
     match.forecast = forecast;
     poll();
     match.has_fake_holes = forecast->has_fake_holes();

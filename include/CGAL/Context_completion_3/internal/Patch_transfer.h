@@ -37,7 +37,8 @@ namespace internal {
 
 /*!
   Turns the relief of a hole into points: source points carried over, displaced along the normals of the base, thinned
-  against the known surface; then samples of the base, raised to the planned height, where nothing came to lie.
+  against the known surface; then, where nothing came to lie, points on facets, or samples of the base that are raised to
+  the planned height.
 */
 template <typename ConcurrencyTag>
 class Patch_transfer
