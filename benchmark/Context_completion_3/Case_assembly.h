@@ -21,21 +21,10 @@
 
 namespace Completion_benchmark {
 
-/// Median distance of the points to their nearest neighbours.
+/// Median distance of the points to their nearest neighbours; 0 without points.
 inline double median_spacing(const Surface_points& points)
 {
-  const Neighbor_search search(points.position);
-  std::vector<Neighbor_search::Neighbor> found;
-  std::vector<double> distances;
-  for(const Vector& p : points.position)
-  {
-    search.k_nearest(p, 2, found);
-    distances.push_back(found.back().second);
-  }
-  // the mean of the two middle ones, for an even number
-  std::sort(distances.begin(), distances.end());
-  const std::size_t n = distances.size();
-  return n == 0 ? 0. : 0.5 * (distances[(n - 1) / 2] + distances[n / 2]);
+  return points.size() == 0 ? 0. : quantile(neighbor_distances(points.position), 0.5);
 }
 
 /// Samples of the clean surface in and around the holes, denser than the input.

@@ -60,6 +60,20 @@ inline double plane_distance(const Vector& p, const Vector& q, const Vector& nor
   return distance > 2 * h ? distance : (std::min)(distance, std::abs((p - q).dot(normal)));
 }
 
+/// Distance of each point to its nearest neighbour; at least two points.
+inline std::vector<double> neighbor_distances(const std::vector<Vector>& positions)
+{
+  const Neighbor_search search(positions);
+  std::vector<Neighbor_search::Neighbor> found;
+  std::vector<double> distances;
+  for(const Vector& p : positions)
+  {
+    search.k_nearest(p, 2, found);
+    distances.push_back(found.back().second);
+  }
+  return distances;
+}
+
 /// Normal of the plane through the k nearest neighbours of q.
 inline Vector normal_of_neighbors(const std::vector<Vector>& positions, const Neighbor_search& search, const Vector& q,
                                   std::size_t k)

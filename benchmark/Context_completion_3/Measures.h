@@ -256,14 +256,7 @@ private:
     }
     if(n > 1)
     {
-      const Neighbor_search search(result.position);
-      std::vector<Neighbor_search::Neighbor> found;
-      std::vector<double> gap;
-      for(const Vector& p : result.position)
-      {
-        search.k_nearest(p, 2, found);
-        gap.push_back(found.back().second);
-      }
+      const std::vector<double> gap = neighbor_distances(result.position);
       m.density = quantile(gap, 0.5) / h;
       m.nn_p5 = quantile(gap, 0.05) / h;
     }

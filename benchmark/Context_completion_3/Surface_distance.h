@@ -11,12 +11,16 @@
 #ifndef CGAL_CONTEXT_COMPLETION_3_BENCHMARK_SURFACE_DISTANCE_H
 #define CGAL_CONTEXT_COMPLETION_3_BENCHMARK_SURFACE_DISTANCE_H
 
-#include "Benchmark_surface.h"
+#include "Surface_mesh_conversion.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/squared_distance_3.h>
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#if __has_include(<CGAL/AABB_traits_3.h>)        // since CGAL 6.0
+#  include <CGAL/AABB_traits_3.h>
+#else
+#  include <CGAL/AABB_traits.h>
+#endif
+#include <CGAL/AABB_tree.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -24,47 +28,27 @@
 
 namespace Completion_benchmark {
 
-/// Distances of the points to the triangles of a surface; infinite if it has none.
+/// Distance of each point to the nearest triangle of the surface; infinite if it has none.
 inline std::vector<double> distances_to_surface(const std::vector<Vector>& points, const Benchmark_surface& surface)
 {
-  typedef CGAL::Simple_cartesian<double> Cartesian;
-  struct Bounded_triangle { Cartesian::Triangle_3 triangle; Vector center; double radius; };
-  const auto point = [](const Vector& p) { return Cartesian::Point_3(p.x(), p.y(), p.z()); };
-  std::vector<Bounded_triangle> triangles;
+  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+  typedef CGAL::AABB_traits_3<Kernel, Primitive> Traits;
+#else
+  typedef CGAL::AABB_traits<Kernel, Primitive> Traits;
+#endif
+  std::vector<Benchmark_surface::Face> faces;
   for(std::size_t f = 0; f < surface.faces.size(); ++f)
     if(surface.face_vector(f).norm() > 0)         // the neighbours of a triangle without area cover it
-    {
-      const Benchmark_surface::Face& v = surface.faces[f];
-      const Vector &a = surface.vertices[v[0]], &b = surface.vertices[v[1]], &c = surface.vertices[v[2]];
-      const Vector center = (a + b + c) / 3;
-      const double radius = (std::max)({ (a - center).norm(), (b - center).norm(), (c - center).norm() });
-      triangles.push_back({ Cartesian::Triangle_3(point(a), point(b), point(c)), center, radius });
-    }
-  // The points are those of a hole, so few that bounding balls do for a search structure; the triangle that was nearest
-  // to one is near the next one, and tried first.
+      faces.push_back(surface.faces[f]);
+  if(faces.empty())
+    return std::vector<double>(points.size(), std::numeric_limits<double>::infinity());
+  const Mesh mesh = to_mesh(surface.vertices, faces);
+  CGAL::AABB_tree<Traits> tree(mesh.faces().begin(), mesh.faces().end(), mesh);
+  tree.accelerate_distance_queries();
   std::vector<double> distances;
-  std::size_t nearest = 0;
   for(const Vector& p : points)
-  {
-    double squared = std::numeric_limits<double>::infinity();
-    const auto distance_to = [&](std::size_t i) { return CGAL::squared_distance(point(p), triangles[i].triangle); };
-    if(!triangles.empty())
-      squared = distance_to(nearest);
-    double distance = std::sqrt(squared);
-    for(std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      const double bound = distance + triangles[i].radius;
-      if((p - triangles[i].center).squaredNorm() >= bound * bound)
-        continue;
-      const double found = distance_to(i);
-      if(found >= squared)
-        continue;
-      squared = found;
-      distance = std::sqrt(squared);
-      nearest = i;
-    }
-    distances.push_back(distance);
-  }
+    distances.push_back(std::sqrt(tree.squared_distance(Kernel::Point_3(p.x(), p.y(), p.z()))));
   return distances;
 }
 
