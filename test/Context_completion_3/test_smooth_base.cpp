@@ -16,6 +16,7 @@
 #include <CGAL/Context_completion_3/internal/Base_family.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
@@ -30,7 +31,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <set>
+#include <unordered_set>
 #include <vector>
 
 using namespace CGAL::Context_completions_3::internal;
@@ -420,6 +423,120 @@ TEST(Base_family, All_members_continue_a_plane_as_the_plane)
       EXPECT_NEAR(h(s, 0), 0.1, 1e-3) << "member " << m;
     EXPECT_LT(family.sector_errors()[m], 1e-3) << "member " << m;
   }
+}
+
+namespace {
+
+// A plane with a hole whose heights are noisy; its normals stay right, or are turned at random.
+samples::Samples noisy_plane_with_hole(double turn)
+{
+  samples::Samples noisy = samples::plane_with_hole();
+  samples::Random_offsets offset(5);
+  for(samples::Oriented_point& s : noisy)
+  {
+    const double x = offset(), y = offset(), z = offset();
+    s.first = s.first + 0.2 * z * samples::Vector(0, 0, 1);
+    const samples::Vector n(turn * x, turn * y, 1);
+    s.second = n / std::sqrt(n.squared_length());
+  }
+  return noisy;
+}
+
+} // namespace
+
+TEST(Surface_model, Right_normals_steady_a_fit_to_points_on_one_side)
+{
+  samples::Samples half = noisy_plane_with_hole(0);
+  const Engine_points_and_model whole(half);
+  std::vector<std::size_t> buffer;
+  double by_positions = 0, by_normals = 0;
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < whole.model.size(); ++i)
+  {
+    std::vector<std::size_t> around;
+    whole.model.search().in_ball(whole.model.position(i), 4., around);
+    std::unordered_set<std::size_t> ahead;
+    for(std::size_t j : around)
+      if(whole.model.position(j).x() >= whole.model.position(i).x())
+        ahead.insert(j);
+    Surface_element positions, normals;
+    if(around.size() - ahead.size() < 15 ||
+       !whole.model.quadratic_fits(whole.model.position(i), Vector(0, 0, 1), 4., positions, normals, buffer, ahead))
+      continue;
+    by_positions += std::abs(positions.position.z());
+    by_normals += std::abs(normals.position.z());
+    ++number;
+    Surface_element alone;
+    ASSERT_TRUE(whole.model.quadratic_fit(whole.model.position(i), Vector(0, 0, 1), 4., alone, buffer, ahead));
+    ASSERT_EQ(alone.position, positions.position);
+    ASSERT_EQ(alone.normal, positions.normal);
+  }
+  ASSERT_GT(number, 500u);
+  EXPECT_LT(by_normals, 0.6 * by_positions);
+}
+
+TEST(Surface_model, Both_fits_are_exact_on_a_paraboloid)
+{
+  samples::Samples bowl = samples::plane(20);
+  const auto height = [](double x, double y) { return 0.02 * x * x - 0.03 * x * y + 0.01 * y * y + 0.1 * x; };
+  for(samples::Oriented_point& s : bowl)
+  {
+    const double x = s.first.x() - 10, y = s.first.y() - 10;
+    s.first = samples::Point(x, y, height(x, y));
+    const samples::Vector n(-(0.04 * x - 0.03 * y + 0.1), -(-0.03 * x + 0.02 * y), 1);
+    s.second = n / std::sqrt(n.squared_length());
+  }
+  const Engine_points_and_model surface(bowl);
+  std::vector<std::size_t> buffer;
+  Surface_element positions, normals;
+  ASSERT_TRUE(surface.model.quadratic_fits(Vector(0.3, 0.2, 0), Vector(0, 0, 1), 4., positions, normals, buffer));
+  for(const Surface_element& e : {positions, normals})
+  {
+    EXPECT_NEAR(e.position.z(), height(0.3, 0.2), 1e-6);
+    EXPECT_LT((e.normal - Vector(-(0.012 - 0.006 + 0.1), 0.009 - 0.004, 1).normalized()).norm(), 1e-6);
+  }
+}
+
+TEST(Base_family, Normals_are_believed_where_they_are_right_and_not_where_they_are_turned)
+{
+  for(const double turn : { 0., 2. })
+  {
+    const Engine_points_and_model plane(noisy_plane_with_hole(turn));
+    const std::vector<Detected> holes = closed(detected(plane.model));
+    ASSERT_EQ(holes.size(), 1u);
+    const Family family(*holes[0].patch);
+    const std::vector<double> errors = family.sector_errors();
+    double by_positions = 1e300, by_normals = 1e300;
+    for(std::size_t m = 0; m < family.size(); ++m)
+      (family.uses_normals(m) ? by_normals : by_positions) =
+        (std::min)(family.uses_normals(m) ? by_normals : by_positions, errors[m]);
+    if(turn == 0)
+    {
+      EXPECT_LT(by_normals, by_positions);
+    }
+    else
+    {
+      EXPECT_GT(by_normals, 1.1 * by_positions);
+    }
+  }
+}
+
+TEST(Base_family, The_known_surface_by_normals_is_what_a_place_on_itself_shows)
+{
+  const samples::Samples surface = noisy_plane_with_hole(0.3);
+  std::vector<Example_source<CGAL::Sequential_tag> > sources(1);
+  sources[0].points = std::make_shared<Surface_points>(samples::engine_points(surface));
+  sources[0].model = std::make_shared<Model>(*sources[0].points);
+  const std::vector<Detected> holes = closed(detected(*sources[0].model));
+  ASSERT_EQ(holes.size(), 1u);
+  const Family family(*holes[0].patch);
+  const Relief_sampler<CGAL::Sequential_tag> sampler(*holes[0].patch, sources);
+  const Place_relief relief = sampler.relief(Place());
+  const Eigen::VectorXd known = family.known_by_normals();
+  ASSERT_EQ(known.size(), relief.rim_by_normals.size());
+  // the place looks from the centres, which its fits to positions give back but for what moves with the foot
+  EXPECT_GT(known.cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LT((known - relief.rim_by_normals).cwiseAbs().mean(), 0.15 * known.cwiseAbs().mean());
 }
 
 TEST(Smooth_patch, Noise_asks_for_a_larger_radius_of_the_fits)

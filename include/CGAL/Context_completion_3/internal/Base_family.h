@@ -40,6 +40,9 @@ namespace internal {
   Each is a trend (polyharmonic, with more or less noise) plus what the trend misses at the centres, which either is
   made up close to the rim or goes on as a random field with a Matern covariance of some range (simple kriging).
 
+  The data are those of local fits to positions, or of fits that use the normals of points as well, which go on better
+  from a rim where the normals are right.
+
   None is best everywhere: interpolation wins on clean smooth surfaces, and carries the slope of noise and relief far
   into the hole elsewhere. So they are weighted by what they reach on fake holes, or, where there are too few of those,
   by how well each predicts sectors of the surroundings from the others.
@@ -58,12 +61,13 @@ class Base_family
     Eigen::MatrixXd center_basis;        // centres x coefficients
     Eigen::VectorXd offset;              // height over that of the patch, at the samples
     Eigen::VectorXd missed;              // known surface over it, at the centres
-    double sector_error = 0;
+    double sector_error = 0, sector_error_by_normals = 0;
   };
 
   struct Member
   {
     std::size_t trend = 0;
+    bool uses_normals = false;
     double range = 0;                    // of the rest, in radii; 0: it fades out within a few spacings of the rim
     Eigen::MatrixXd rest;                // samples x centres: spreads what the trend misses
   };
@@ -84,12 +88,14 @@ public:
     }
     const std::pair<std::size_t, double> settings[] = {{0, 0.}, {1, 0.}, {2, 0.}, {3, 0.},
                                                        {3, 0.1}, {3, 0.2}, {3, 0.4}, {4, 0.4}};
-    for(const std::pair<std::size_t, double>& setting : settings)
-    {
-      m_members.emplace_back();
-      m_members.back().trend = setting.first;
-      m_members.back().range = setting.second;
-    }
+    for(bool uses_normals : {false, true})
+      for(const std::pair<std::size_t, double>& setting : settings)
+      {
+        m_members.emplace_back();
+        m_members.back().trend = setting.first;
+        m_members.back().range = setting.second;
+        m_members.back().uses_normals = uses_normals;
+      }
     const std::vector<std::vector<std::size_t> > groups = sectors();
     const Eigen::MatrixXd fading = fading_rest();
     for_each_index<ConcurrencyTag>(m_trends.size() + m_members.size(), [&](std::size_t i)
@@ -107,6 +113,18 @@ public:
   std::size_t size() const { return m_members.size(); }
 
   bool is_kriging(std::size_t m) const { return m_members[m].range > 0; }
+
+  /// Whether the data of member `m` are to be from fits that use normals.
+  bool uses_normals(std::size_t m) const { return m_members[m].uses_normals; }
+
+  /// Data of the known surface by fits that use normals: it is displaced from what fits to positions tell.
+  Eigen::VectorXd known_by_normals() const
+  {
+    Eigen::VectorXd data(4 * Eigen::Index(m_patch.centers().size()));
+    for(std::size_t i = 0; i < m_patch.centers().size(); ++i)
+      data.segment<4>(4 * Eigen::Index(i)) = m_patch.centers()[i].by_normals;
+    return data;
+  }
 
   /// Heights that member `m` continues the known surface with, displaced by each column of `data`.
   Eigen::MatrixXd heights(std::size_t m, const Eigen::MatrixXd& data) const
@@ -154,7 +172,7 @@ public:
   {
     std::vector<double> result;
     for(const Member& m : m_members)
-      result.push_back(m_trends[m.trend].sector_error);
+      result.push_back(m.uses_normals ? m_trends[m.trend].sector_error_by_normals : m_trends[m.trend].sector_error);
     return result;
   }
 
@@ -172,6 +190,16 @@ public:
     const Eigen::MatrixXd missed =
       at_rim((values(data) - trend.center_basis * trend.base.solve(with_guides(data))).colwise() + trend.missed);
     return (missed.colwise().squaredNorm() / double(missed.rows())).cwiseSqrt().transpose();
+  }
+
+  /// By how much fits that use normals are inclined, at the rim, against those that do not: means, for each column.
+  Eigen::VectorXd inclination(const Eigen::MatrixXd& data, const Eigen::MatrixXd& data_by_normals) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(data.cols());
+    for(Eigen::Index c = 0; c < data.cols(); ++c)
+      for(std::size_t i : m_rim)
+        result[c] += (data_by_normals - data).col(c).segment<3>(4 * Eigen::Index(i) + 1).norm() / double(m_rim.size());
+    return result;
   }
 
 private:
@@ -282,7 +310,9 @@ private:
       trend.center_basis.row(i) = row;
       trend.missed[i] = -height(trend, c.position, c.normal);
     }
-    trend.sector_error = prediction_error(trend, groups, data.col(0));
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(4 * r);
+    trend.sector_error = prediction_error(trend, groups, data.col(0), none);
+    trend.sector_error_by_normals = prediction_error(trend, groups, data.col(0), known_by_normals());
   }
 
   // Height of the zero set over `x` along `normal`, by Newton's method on the line.
@@ -326,10 +356,13 @@ private:
     return groups;
   }
 
+  // Of the heights at the centres, as fits to positions tell them, from those of other sectors displaced by `displacement`.
   double prediction_error(const Trend& trend, const std::vector<std::vector<std::size_t> >& groups,
-                          const Eigen::VectorXd& data) const
+                          const Eigen::VectorXd& data, const Eigen::VectorXd& displacement) const
   {
-    const std::vector<Eigen::VectorXd> residuals = trend.base.left_out(groups, data);
+    // a function grows where its zero set sinks
+    const std::vector<Eigen::VectorXd> residuals =
+      trend.base.left_out(groups, data - with_guides(displacement).col(0));
     const double limit = 0.3 * m_patch.scale();
     double sum = 0;
     std::size_t count = 0;
@@ -338,7 +371,7 @@ private:
       for(std::size_t i = 0; i < groups[g].size(); ++i)
         if(m_patch.centers()[groups[g][i]].distance < 0.35 * m_patch.scale())
         {
-          const double d = std::abs(residuals[g][4 * Eigen::Index(i)]);
+          const double d = std::abs(residuals[g][4 * Eigen::Index(i)] + displacement[4 * Eigen::Index(groups[g][i])]);
           sum += d < limit ? d : limit;
           ++count;
         }

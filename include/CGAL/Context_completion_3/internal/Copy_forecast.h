@@ -23,6 +23,7 @@
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Rim_membrane.h>
 #include <CGAL/Context_completion_3/internal/Rim_mismatch.h>
+#include <CGAL/Context_completion_3/internal/Smooth_choice.h>
 
 #include <Eigen/Dense>
 
@@ -68,10 +69,19 @@ public:
     // the hole is the last column: nothing but the known surface
     const std::size_t n = places.size();
     Eigen::MatrixXd rim = Eigen::MatrixXd::Zero(4 * Eigen::Index(patch.centers().size()), Eigen::Index(n) + 1);
+    Eigen::MatrixXd rim_by_normals = rim;
     for(std::size_t c = 0; c < n; ++c)
+    {
       rim.col(Eigen::Index(c)) = reliefs[c].rim;
+      rim_by_normals.col(Eigen::Index(c)) = reliefs[c].rim_by_normals;
+    }
+    rim_by_normals.col(Eigen::Index(n)) = family.known_by_normals();
     m_roughness = family.roughness(rim);
-    combine_bases(family, rim);
+    const Smooth_choice<ConcurrencyTag> choice(family, rim, rim_by_normals, m_statistics, ingredients,
+                                               smallest_error() * patch.spacing(), radius,
+                                               [&](const Eigen::MatrixXd& heights) { return loss(heights); });
+    m_smooth = choice.heights();
+    m_sector_error = choice.sector_error();
     if(facets != nullptr)
       choose_facets(*facets, places);
     choose_warps(family.membrane(), family.rim_values(rim));
@@ -262,29 +272,6 @@ private:
     const std::vector<std::size_t>& order = m_statistics.ranking(k);
     const std::size_t r = std::size_t(std::find(order.begin(), order.end(), j) - order.begin());
     return m_warps[std::size_t(m_statistics.column(k))][r];
-  }
-
-  // The smooth base of the hole and of all fake holes.
-  void combine_bases(const Base_family<ConcurrencyTag>& family, const Eigen::MatrixXd& rim)
-  {
-    const double floor = smallest_error() * m_patch.spacing();
-    std::vector<Eigen::MatrixXd> heights(family.size());
-    std::vector<double> errors(family.size(), 0.);
-    for_each_index<ConcurrencyTag>(family.size(), [&](std::size_t m)
-    {
-      heights[m] = family.heights(m, rim);
-      errors[m] = std::exp(loss(heights[m]));
-    });
-    std::vector<double> sector_errors = family.sector_errors();
-    for(std::size_t m = 0; m < family.size(); ++m)
-      if(family.is_kriging(m) && !m_ingredients.kriging)
-        errors[m] = sector_errors[m] = 1e3 * m_radius;
-    const std::vector<double> weights = !m_statistics.is_sufficient() || !m_ingredients.fake_holes
-      ? family.weights(sector_errors, floor, 4) : family.weights(errors, floor, 8);
-    m_smooth = family.combine(heights, weights);
-    m_sector_error = 0;
-    for(std::size_t m = 0; m < weights.size(); ++m)
-      m_sector_error += weights[m] * sector_errors[m];
   }
 
   // Where edges go into the hole, facets that go on until they meet take the place of the smooth base, if they do better

@@ -40,6 +40,7 @@ struct Place_relief
   Eigen::VectorXd height;             ///< per base sample
   std::vector<char> is_covered;       ///< per base sample: the source has a surface there
   Eigen::VectorXd rim;                ///< per centre: value, then gradient (4 numbers), 0 where nothing is found
+  Eigen::VectorXd rim_by_normals;     ///< the same by fits that use the normals of points, too
   std::vector<char> is_found;         ///< per centre: the source has a surface there that faces the same way
   double coverage = 0;                ///< share of covered samples
 };
@@ -255,7 +256,7 @@ private:
     const Model& model = *m_sources[place.source].model;
     const std::vector<Base_center>& centers = m_patch.centers();
     const Eigen::Index n = Eigen::Index(centers.size());
-    result.rim = Eigen::VectorXd::Zero(4 * n);
+    result.rim = result.rim_by_normals = Eigen::VectorXd::Zero(4 * n);
     result.is_found.assign(centers.size(), 0);
     const double limit = 0.5 * m_whole.reach;
     const std::unordered_set<std::size_t> inside = points_inside(place, points);
@@ -265,17 +266,24 @@ private:
       if(!window.is_center_needed[std::size_t(i)])
         continue;
       const Base_center& c = centers[std::size_t(i)];
-      Surface_element fit;
-      const Vector axis = place.motion.inverse_normal(c.normal);
-      if(!model.quadratic_fit(place.motion.inverse(c.position), axis, m_patch.fit_radius(), fit, buffer, inside))
+      Surface_element fit, by_normals;
+      const Vector axis = place.motion.inverse_normal(c.normal), foot = place.motion.inverse(c.position);
+      if(!model.quadratic_fits(foot, axis, m_patch.fit_radius(), fit, by_normals, buffer, inside))
         continue;
       const double facing = fit.normal.dot(axis);
-      const double height = axis.dot(fit.position - place.motion.inverse(c.position));
+      const double height = axis.dot(fit.position - foot);
       if(facing < 0.3 || std::abs(height) > limit)
         continue;
+      if(by_normals.normal.dot(axis) < 0.3)
+        by_normals = fit;
+      const auto set = [&](const Surface_element& element, Eigen::VectorXd& rim)
+      {
+        rim[4 * i] = axis.dot(element.position - foot);
+        rim.segment<3>(4 * i + 1) = place.motion.normal(axis - element.normal / element.normal.dot(axis));
+      };
       result.is_found[std::size_t(i)] = 1;
-      result.rim[4 * i] = height;
-      result.rim.segment<3>(4 * i + 1) = -place.motion.normal(fit.normal - facing * axis) / facing;
+      set(fit, result.rim);
+      set(by_normals, result.rim_by_normals);
     }
   }
 

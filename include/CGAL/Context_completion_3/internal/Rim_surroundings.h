@@ -33,6 +33,7 @@ struct Base_center
 {
   Vector position = Vector::Zero();
   Vector normal = Vector::Zero();
+  Eigen::Vector4d by_normals = Eigen::Vector4d::Zero(); ///< height and its gradient of the fit that uses normals, too
   double distance = 0;         ///< to the rim
 };
 
@@ -170,12 +171,18 @@ private:
     for(std::size_t b : chosen)
     {
       const std::size_t i = m_band[b].index;
-      Surface_element fit;
+      Surface_element fit, by_normals;
       Base_center center;
-      if(m_model.quadratic_fit(m_model.position(i), m_model.normal(i), fit_radius(), fit, buffer))
+      if(m_model.quadratic_fits(m_model.position(i), m_model.normal(i), fit_radius(), fit, by_normals, buffer))
       {
         center.position = fit.position;
         center.normal = fit.normal;
+        const double facing = by_normals.normal.dot(fit.normal);
+        if(facing > 0.3)
+        {
+          center.by_normals[0] = by_normals.normal.dot(by_normals.position - fit.position) / facing;
+          center.by_normals.tail<3>() = fit.normal - by_normals.normal / facing;
+        }
       }
       else
       {

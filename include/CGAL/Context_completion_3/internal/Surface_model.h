@@ -85,10 +85,35 @@ public:
                      std::vector<std::size_t>& buffer,
                      const std::unordered_set<std::size_t>& left_out = std::unordered_set<std::size_t>()) const
   {
+    return fit(q, axis, radius, result, nullptr, buffer, left_out);
+  }
+
+  /*!
+    The same by positions alone and, in a second fit, by positions and the slopes that the normals of the points tell.
+    At a rim, where points are on one side only, slopes steady the fit, if the normals are right.
+  */
+  bool quadratic_fits(const Vector& q, const Vector& axis, double radius, Surface_element& by_positions,
+                      Surface_element& by_normals, std::vector<std::size_t>& buffer,
+                      const std::unordered_set<std::size_t>& left_out = std::unordered_set<std::size_t>()) const
+  {
+    return fit(q, axis, radius, by_positions, &by_normals, buffer, left_out);
+  }
+
+private:
+  typedef Eigen::Matrix<double, 6, 6> Matrix_6;
+  typedef Eigen::Matrix<double, 6, 1> Vector_6;
+
+  // Of a slope, a height having 1, with the radius for unit of length. A third to three times as much hardly differs.
+  static double slope_weight() { return 0.3; }
+
+  // `by_normals` may be null
+  bool fit(const Vector& q, const Vector& axis, double radius, Surface_element& by_positions, Surface_element* by_normals,
+           std::vector<std::size_t>& buffer, const std::unordered_set<std::size_t>& left_out) const
+  {
     m_search.in_ball(q, radius, buffer);
     Vector u = axis.unitOrthogonal(), v = axis.cross(u);
-    Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+    Matrix_6 normal_matrix = Matrix_6::Zero(), slope_matrix = Matrix_6::Zero();
+    Vector_6 right = Vector_6::Zero(), slope_right = Vector_6::Zero();
     std::size_t count = 0;
     double total = 0;
     for(std::size_t i : buffer)
@@ -99,28 +124,43 @@ public:
       const Vector d = (m_points.position[i] - q) / radius;
       const double x = d.dot(u), y = d.dot(v), z = d.dot(axis);
       const double weight = std::exp(-3. * d.squaredNorm());
-      Eigen::Matrix<double, 6, 1> row;
+      Vector_6 row;
       row << 1, x, y, x * x, x * y, y * y;
       normal_matrix.noalias() += weight * row * row.transpose();
       right += weight * z * row;
       total += weight;
       ++count;
+      if(by_normals == nullptr)
+        continue;
+      Vector_6 along_u, along_v;
+      along_u << 0, 1, 0, 2 * x, y, 0;
+      along_v << 0, 0, 1, 0, x, 2 * y;
+      slope_matrix.noalias() += weight * (along_u * along_u.transpose() + along_v * along_v.transpose());
+      slope_right -= weight / facing * (m_points.normal[i].dot(u) * along_u + m_points.normal[i].dot(v) * along_v);
     }
     if(count == 0 || total <= 0)
       return false;
     const int terms = count >= 10 ? 6 : (count >= 5 ? 3 : 1);
-    Eigen::Matrix<double, 6, 1> c = Eigen::Matrix<double, 6, 1>::Zero();
-    Eigen::MatrixXd a = normal_matrix.topLeftCorner(terms, terms);
-    a.diagonal().array() += 1e-9 * total;
-    c.head(terms) = a.ldlt().solve(right.head(terms));
-    if(!c.allFinite() || std::abs(c[0]) > 1.)
+    const auto solve = [&](const Matrix_6& matrix, const Vector_6& right_side, Surface_element& result)
+    {
+      Vector_6 c = Vector_6::Zero();
+      Eigen::MatrixXd a = matrix.topLeftCorner(terms, terms);
+      a.diagonal().array() += 1e-9 * total;
+      c.head(terms) = a.ldlt().solve(right_side.head(terms));
+      if(!c.allFinite() || std::abs(c[0]) > 1.)
+        return false;
+      result.position = q + radius * c[0] * axis;
+      result.normal = (axis - c[1] * u - c[2] * v).normalized();
+      return true;
+    };
+    if(!solve(normal_matrix, right, by_positions))
       return false;
-    result.position = q + radius * c[0] * axis;
-    result.normal = (axis - c[1] * u - c[2] * v).normalized();
+    if(by_normals != nullptr &&
+       !solve(normal_matrix + slope_weight() * slope_matrix, right + slope_weight() * slope_right, *by_normals))
+      *by_normals = by_positions;
     return true;
   }
 
-private:
   void compute_spacing()
   {
     const std::size_t n = size();
