@@ -856,6 +856,43 @@ TEST(Hole_detection, A_slot_in_which_every_sample_is_near_to_a_rim_is_found)
     }
 }
 
+TEST(Hole_detection, A_slot_of_two_rows_is_found_if_it_is_too_long_for_chance)
+{
+  for(unsigned int seed = 1; seed <= 6; ++seed)
+    for(const bool is_long : { true, false })
+    {
+      samples::Samples rest;
+      for(const samples::Oriented_point& s : samples::plane(32, 1., 0.1, seed))
+        if(std::abs(s.first.x() - 16) > (is_long ? 6 : 1) || std::abs(s.first.y() - 16) > 0.9)
+          rest.push_back(s);
+      const Surface_points points = samples::engine_points(rest);
+      const Model model(points);
+      const std::vector<Detected> holes = closed(detected(model));
+      ASSERT_EQ(holes.size(), is_long ? 1u : 0u) << "seed " << seed;
+      if(is_long)
+      {
+        EXPECT_LT((holes[0].center() - Vector(16, 16, 0)).norm(), 3.) << "seed " << seed;
+      }
+    }
+}
+
+TEST(Hole_detection, Points_at_random_have_no_hole)
+{
+  for(unsigned int seed = 1; seed <= 4; ++seed)
+  {
+    samples::Random_offsets offset(seed);
+    samples::Samples plane;
+    for(int i = 0; i < 4000; ++i)
+    {
+      const double x = 32 + 64 * offset(), y = 32 + 64 * offset();
+      plane.push_back(samples::Oriented_point(samples::Point(x, y, 0), samples::Vector(0, 0, 1)));
+    }
+    const Surface_points points = samples::engine_points(plane);
+    const Model model(points);
+    EXPECT_EQ(closed(detected(model)).size(), 0u) << "seed " << seed;
+  }
+}
+
 TEST(Hole_detection, A_narrow_slot_around_most_of_a_limb_is_found)
 {
   // its rims open to each other, hardly to their centre, which is deep inside

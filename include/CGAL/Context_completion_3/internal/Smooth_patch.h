@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Box_set.h>
+#include <CGAL/Context_completion_3/internal/Narrow_slot.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
@@ -33,14 +34,6 @@
 namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
-
-/// A sample of the smooth base.
-struct Base_sample
-{
-  Vector position = Vector::Zero();
-  Vector normal = Vector::Zero();
-  bool is_uncovered = false;   ///< no known point is near, or none near a place next to it: evidence of a hole
-};
 
 /*!
   The smooth base over a whole hole: polyharmonic through the surroundings, sampled from the rim inwards. It is the
@@ -80,7 +73,12 @@ public:
     {
       relax();
       if(number_of_uncovered() < fewest_uncovered() && is_rim_whole())
-        look_between_samples();
+      {
+        const Narrow_slot slot(m_footprints, m_footprint_normals, m_spacing,
+                               [&](Vector& x, Vector& normal) { return project(x, normal); });
+        if(!slot.look_between(m_samples, fewest_uncovered()) && joins_rims())
+          slot.look_for_void(m_samples, rim().size());
+      }
     }
   }
 
@@ -312,54 +310,6 @@ private:
   // A closed curve is at least twice as long as its diameter. Three quarters of it are found, if rim points are as near
   // to each other as points are in general.
   bool is_rim_whole() const { return double(rim().size()) * m_spacing >= 1.5 * diameter(); }
-
-  // In a slot that is hardly wider than the distance that covers, each sample is near to the one or the other rim, and the
-  // middle between them is empty all the same. It is sampled again, twice as finely. What has room for as many samples as
-  // are evidence elsewhere is no less a hole: the samples around it are uncovered.
-  void look_between_samples()
-  {
-    const double h = m_spacing, distance = 0.41 * h;   // half of that of the samples
-    Point_grid known(1.5 * h), grid(distance);
-    for(const Vector& x : m_footprints)
-      known.insert(x);
-    std::vector<Vector> normals;
-    const auto try_place = [&](Vector x) -> bool
-    {
-      Vector normal;
-      bool is_free = project(x, normal);
-      const auto visit = [&](const Vector& other) {
-        is_free = is_free && !is_same_side(normal, other);
-        return is_free; };
-      if(is_free)
-        known.for_each_in_ball(x, 1.5 * h, [&](std::size_t k, double) { return visit(m_footprint_normals[k]); });
-      if(!is_free)
-        return false;
-      grid.for_each_in_ball(x, distance, [&](std::size_t p, double) { return visit(normals[p]); });
-      if(is_free)
-      {
-        grid.insert(x);
-        normals.push_back(normal);
-      }
-      return true;
-    };
-    std::vector<std::size_t> around;
-    for(std::size_t i = 0; i < m_samples.size(); ++i)
-    {
-      const Base_sample& s = m_samples[i];
-      const Vector u = s.normal.unitOrthogonal(), v = s.normal.cross(u);
-      bool is_around = try_place(s.position);
-      for(int k = 0; k < 6; ++k)
-      {
-        const double angle = 1.0472 * k;
-        is_around |= try_place(s.position + h / 2 * (std::cos(angle) * u + std::sin(angle) * v));
-      }
-      if(is_around)
-        around.push_back(i);
-    }
-    if(grid.number_of_points() >= 4 * fewest_uncovered())
-      for(std::size_t i : around)
-        m_samples[i].is_uncovered = true;
-  }
 
   std::shared_ptr<const Surroundings> m_surroundings;
   const Model& m_model;
