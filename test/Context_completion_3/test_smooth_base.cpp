@@ -206,12 +206,14 @@ TEST(Polyharmonic_base, Left_out_equals_a_base_without_the_group)
 {
   const std::vector<Vector> centers = random_points(40, 9, 3.);
   const Eigen::MatrixXd data = field_data(centers, wave, wave_gradient);
+  Eigen::MatrixXd two(data.rows(), 2);
+  two << data, -2 * data;
   const std::vector<std::vector<std::size_t> > groups =
     { {7}, {1, 2, 3, 20}, {0, 39}, {10, 11, 12, 13, 14, 15, 16, 17} };
   for(const double noise : { 0., 0.01 })
   {
     const Polyharmonic_base base(centers, 3., noise, noise);
-    const std::vector<Eigen::VectorXd> residuals = base.left_out(groups, data.col(0));
+    const std::vector<Eigen::MatrixXd> residuals = base.left_out(groups, two);
     ASSERT_EQ(residuals.size(), groups.size());
     for(std::size_t k = 0; k < groups.size(); ++k)
     {
@@ -221,14 +223,16 @@ TEST(Polyharmonic_base, Left_out_equals_a_base_without_the_group)
           others.push_back(centers[i]);
       const Polyharmonic_base rest(others, 3., noise, noise);
       const Eigen::VectorXd c = rest.solve(field_data(others, wave, wave_gradient)).col(0);
-      ASSERT_EQ(residuals[k].size(), Eigen::Index(4 * groups[k].size()));
+      ASSERT_EQ(residuals[k].rows(), Eigen::Index(4 * groups[k].size()));
+      ASSERT_EQ(residuals[k].cols(), 2);
+      EXPECT_LT((2 * residuals[k].col(0) + residuals[k].col(1)).norm(), 1e-9 * (1 + residuals[k].norm()));
       for(std::size_t a = 0; a < groups[k].size(); ++a)
       {
         const Vector& p = centers[groups[k][a]];
         Vector g;
         const double value = rest.value(p, c, g);
-        EXPECT_NEAR(residuals[k][4 * Eigen::Index(a)], wave(p) - value, 1e-6);
-        EXPECT_LT((residuals[k].segment<3>(4 * Eigen::Index(a) + 1) - (wave_gradient(p) - g)).norm(), 1e-5);
+        EXPECT_NEAR(residuals[k](4 * Eigen::Index(a), 0), wave(p) - value, 1e-6);
+        EXPECT_LT((residuals[k].col(0).segment<3>(4 * Eigen::Index(a) + 1) - (wave_gradient(p) - g)).norm(), 1e-5);
       }
     }
   }

@@ -61,7 +61,7 @@ class Base_family
     Eigen::MatrixXd center_basis;        // centres x coefficients
     Eigen::VectorXd offset;              // height over that of the patch, at the samples
     Eigen::VectorXd missed;              // known surface over it, at the centres
-    double sector_error = 0, sector_error_by_normals = 0;
+    Eigen::Vector2d sector_error = Eigen::Vector2d::Zero();   // of the surface by positions, and by normals, too
   };
 
   struct Member
@@ -172,7 +172,7 @@ public:
   {
     std::vector<double> result;
     for(const Member& m : m_members)
-      result.push_back(m.uses_normals ? m_trends[m.trend].sector_error_by_normals : m_trends[m.trend].sector_error);
+      result.push_back(m_trends[m.trend].sector_error[m.uses_normals ? 1 : 0]);
     return result;
   }
 
@@ -310,9 +310,9 @@ private:
       trend.center_basis.row(i) = row;
       trend.missed[i] = -height(trend, c.position, c.normal);
     }
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(4 * r);
-    trend.sector_error = prediction_error(trend, groups, data.col(0), none);
-    trend.sector_error_by_normals = prediction_error(trend, groups, data.col(0), known_by_normals());
+    Eigen::MatrixXd displacements = Eigen::MatrixXd::Zero(4 * r, 2);
+    displacements.col(1) = known_by_normals();
+    trend.sector_error = prediction_errors(trend, groups, data.col(0), displacements);
   }
 
   // Height of the zero set over `x` along `normal`, by Newton's method on the line.
@@ -356,27 +356,26 @@ private:
     return groups;
   }
 
-  // Of the heights at the centres, as fits to positions tell them, from those of other sectors displaced by `displacement`.
-  double prediction_error(const Trend& trend, const std::vector<std::vector<std::size_t> >& groups,
-                          const Eigen::VectorXd& data, const Eigen::VectorXd& displacement) const
+  // Of the heights at the centres, as fits to positions tell them, from those of other sectors as a column of
+  // `displacements` moves them: means, for each column.
+  Eigen::VectorXd prediction_errors(const Trend& trend, const std::vector<std::vector<std::size_t> >& groups,
+                                    const Eigen::VectorXd& data, const Eigen::MatrixXd& displacements) const
   {
     // a function grows where its zero set sinks
-    const std::vector<Eigen::VectorXd> residuals =
-      trend.base.left_out(groups, data - with_guides(displacement).col(0));
+    const std::vector<Eigen::MatrixXd> residuals =
+      trend.base.left_out(groups, (-with_guides(displacements)).colwise() + data);
     const double limit = 0.3 * m_patch.scale();
-    double sum = 0;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(displacements.cols());
     std::size_t count = 0;
     for(std::size_t g = 0; g < groups.size(); ++g)
-    {
       for(std::size_t i = 0; i < groups[g].size(); ++i)
         if(m_patch.centers()[groups[g][i]].distance < 0.35 * m_patch.scale())
         {
-          const double d = std::abs(residuals[g][4 * Eigen::Index(i)] + displacement[4 * Eigen::Index(groups[g][i])]);
-          sum += d < limit ? d : limit;
+          sum += (residuals[g].row(4 * Eigen::Index(i)) + displacements.row(4 * Eigen::Index(groups[g][i])))
+            .cwiseAbs().cwiseMin(limit).transpose();
           ++count;
         }
-    }
-    return count > 0 ? sum / double(count) : limit;
+    return count > 0 ? Eigen::VectorXd(sum / double(count)) : Eigen::VectorXd::Constant(sum.size(), limit);
   }
 
   const Patch& m_patch;

@@ -14,8 +14,9 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
-#include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Base_sample.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
+#include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <Eigen/Geometry>
 
@@ -29,14 +30,6 @@
 namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
-
-/// A sample of the smooth base.
-struct Base_sample
-{
-  Vector position = Vector::Zero();
-  Vector normal = Vector::Zero();
-  bool is_uncovered = false;   ///< no known point is near, or none near a place next to it: evidence of a hole
-};
 
 /*!
   Evidence of a hole that is too narrow for a place as far from all points as covers nothing: each sample of its base is

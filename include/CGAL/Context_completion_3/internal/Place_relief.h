@@ -278,8 +278,9 @@ private:
         by_normals = fit;
       const auto set = [&](const Surface_element& element, Eigen::VectorXd& rim)
       {
-        rim[4 * i] = axis.dot(element.position - foot);
-        rim.segment<3>(4 * i + 1) = place.motion.normal(axis - element.normal / element.normal.dot(axis));
+        const Eigen::Vector4d data = element.height_over(foot, axis);
+        rim[4 * i] = data[0];
+        rim.segment<3>(4 * i + 1) = place.motion.normal(data.tail<3>());
       };
       result.is_found[std::size_t(i)] = 1;
       set(fit, result.rim);

@@ -91,31 +91,31 @@ public:
   }
 
   /*!
-    What the data of a group of centres differ from their prediction by all other centres, per group 4 numbers a centre
-    (block cross-validation from one inverse).
+    What the data of a group of centres differ from their prediction by all other centres, per group 4 numbers a centre,
+    a column for each of `data` (block cross-validation from one inverse).
   */
-  std::vector<Eigen::VectorXd> left_out(const std::vector<std::vector<std::size_t> >& groups,
-                                        const Eigen::VectorXd& data) const
+  std::vector<Eigen::MatrixXd> left_out(const std::vector<std::vector<std::size_t> >& groups,
+                                        const Eigen::MatrixXd& data) const
   {
     const Eigen::Index n = Eigen::Index(m_centers.size());
-    const Eigen::VectorXd coefficients = solve(data).col(0).head(4 * n);
+    const Eigen::MatrixXd coefficients = solve(data).topRows(4 * n);
     const Eigen::MatrixXd inverse = m_solver.inverse();
-    std::vector<Eigen::VectorXd> result;
+    std::vector<Eigen::MatrixXd> result;
     for(const std::vector<std::size_t>& group : groups)
     {
       const Eigen::Index g = Eigen::Index(group.size());
       Eigen::MatrixXd block(4 * g, 4 * g);
-      Eigen::VectorXd right(4 * g);
+      Eigen::MatrixXd right(4 * g, data.cols());
       for(Eigen::Index a = 0; a < g; ++a)
       {
-        right.segment<4>(4 * a) = coefficients.segment<4>(4 * Eigen::Index(group[a]));
+        right.middleRows<4>(4 * a) = coefficients.middleRows<4>(4 * Eigen::Index(group[a]));
         for(Eigen::Index b = 0; b < g; ++b)
           block.block<4, 4>(4 * a, 4 * b) =
             inverse.block<4, 4>(4 * Eigen::Index(group[a]), 4 * Eigen::Index(group[b]));
       }
-      Eigen::VectorXd residual = block.partialPivLu().solve(right);
+      Eigen::MatrixXd residual = block.partialPivLu().solve(right);
       for(Eigen::Index a = 0; a < g; ++a)
-        residual.segment<3>(4 * a + 1) /= m_scale;
+        residual.middleRows<3>(4 * a + 1) /= m_scale;
       result.push_back(residual);
     }
     return result;

@@ -177,12 +177,8 @@ private:
       {
         center.position = fit.position;
         center.normal = fit.normal;
-        const double facing = by_normals.normal.dot(fit.normal);
-        if(facing > 0.3)
-        {
-          center.by_normals[0] = by_normals.normal.dot(by_normals.position - fit.position) / facing;
-          center.by_normals.tail<3>() = fit.normal - by_normals.normal / facing;
-        }
+        if(by_normals.normal.dot(fit.normal) > 0.3)
+          center.by_normals = by_normals.height_over(fit.position, fit.normal);
       }
       else
       {

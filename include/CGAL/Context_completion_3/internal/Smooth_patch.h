@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Base_sample.h>
 #include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Narrow_slot.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>

@@ -36,6 +36,15 @@ struct Surface_element
 {
   Vector position = Vector::Zero();
   Vector normal = Vector::Zero();
+
+  /// Height of the tangent plane over `foot` along `axis`, which it faces, and the gradient of that height.
+  Eigen::Vector4d height_over(const Vector& foot, const Vector& axis) const
+  {
+    const double facing = normal.dot(axis);
+    Eigen::Vector4d result;
+    result << normal.dot(position - foot) / facing, axis - normal / facing;
+    return result;
+  }
 };
 
 /*!
