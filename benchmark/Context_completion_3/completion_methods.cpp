@@ -122,6 +122,8 @@ const Variant variants[] = {
     [](Engine_parameters& p) { p.ingredients.passes = false; } },
   { "without_facets", "edges are continued by smooth bases and copies alone",
     [](Engine_parameters& p) { p.ingredients.facets = false; } },
+  { "without_open_ends", "ends of tubes are outer borders, whatever the examples say",
+    [](Engine_parameters& p) { p.ingredients.open_ends = false; } },
   { "without_kriging", "smooth bases of polyharmonic trends only",
     [](Engine_parameters& p) { p.ingredients.kriging = false; } },
   { "without_texture", "nearest in distance instead of true in texture",

@@ -32,7 +32,7 @@ namespace Context_completions_3 {
 enum class Hole_state
 {
   hole,          ///< it is to be filled
-  outer_border,  ///< it is a border of the surface itself, as around a scan of a terrain
+  outer_border,  ///< it is a border of the surface itself, as around a scan of a terrain or at the neck of a bust
   too_small,     ///< its diameter is below `minimum_hole_diameter`
   too_large,     ///< its diameter is above `maximum_hole_diameter`
   excluded       ///< it lies outside all `regions`, or inside one of the `excluded_regions`

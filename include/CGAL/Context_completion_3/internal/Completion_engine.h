@@ -18,12 +18,14 @@
 #include <CGAL/Context_completion_3/internal/Completion_loop.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Example_policy.h>
+#include <CGAL/Context_completion_3/internal/Hole_completion.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
 #include <CGAL/Context_completion_3/internal/Paper_policy.h>
 
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -76,15 +78,7 @@ public:
       return is_complete;
     }
     prepare_sources();
-    Search_settings search;
-    search.number_of_turns = m_parameters.number_of_turns;
-    search.mirror = m_parameters.mirror;
-    search.number_of_places = m_parameters.number_of_candidates;
-    search.alignment = m_parameters.ingredients.alignment;
-    search.signature = m_parameters.ingredients.signature;
-    search.probes = m_parameters.ingredients.probes;
-    const Hole_completion<ConcurrencyTag> completion(*m_model, m_sources, search, m_parameters.keep_texture,
-                                                     m_parameters.ingredients);
+    const Hole_completion<ConcurrencyTag> completion = hole_completion();
     Example_policy<ConcurrencyTag> policy(*m_map, completion, m_detected, chosen, m_added, m_outcomes);
     return Completion_loop<Example_policy<ConcurrencyTag> >(policy, callback).run();
   }
@@ -100,14 +94,75 @@ private:
   bool detect_by_rims(const Callback& callback)
   {
     m_detected.clear();
-    if(!Hole_detection<ConcurrencyTag>(*m_model, m_parameters.user_holes).run(m_detected, callback))
+    const double share_of_rims = 0.9;
+    const Callback of_rims = [&](double fraction) { return !callback || callback(share_of_rims * fraction); };
+    if(!Hole_detection<ConcurrencyTag>(*m_model, m_parameters.user_holes).run(m_detected, of_rims))
       return false;
     m_map = std::make_unique<Hole_map<ConcurrencyTag> >(m_points, spacing(), m_parameters.maximum_depth,
                                                         m_parameters.minimum_cell_points);
+    try
+    {
+      tell_open_ends([&](double fraction) {
+        make_poll(callback, share_of_rims + (1 - share_of_rims) * fraction)(); });
+    }
+    catch(const Cancelled&)
+    {
+      return false;
+    }
     for(const Detected_hole<ConcurrencyTag>& hole : m_detected)
       m_holes.push_back(describe(hole));
     m_outcomes.resize(m_holes.size());
     return true;
+  }
+
+  // Ends of tubes that are holes, as far as they would be filled then.
+  void tell_open_ends(const std::function<void(double)>& report_progress)
+  {
+    std::vector<std::size_t> ends;
+    for(std::size_t h = 0; h < m_detected.size(); ++h)
+      if(m_detected[h].is_end && describe(taken_for_hole(m_detected[h])).state == Hole_state::hole)
+        ends.push_back(h);
+    if(ends.empty() || !m_parameters.ingredients.open_ends)
+      return;
+    prepare_sources();
+    const Hole_completion<ConcurrencyTag> completion = hole_completion();
+    std::set<std::size_t> closed;    // rim points: pieces of a rim may have led to one base, the user may have named it
+    for(const Detected_hole<ConcurrencyTag>& hole : m_detected)
+      if(hole.is_named)
+        closed.insert(hole.patch->rim().begin(), hole.patch->rim().end());
+    for(std::size_t i = 0; i < ends.size(); ++i)
+    {
+      const Detected_hole<ConcurrencyTag> hole = taken_for_hole(m_detected[ends[i]]);
+      const std::vector<std::size_t>& rim = hole.patch->rim();
+      const Poll poll = [&]() { report_progress(double(i) / double(ends.size())); };
+      poll();
+      if(std::any_of(rim.begin(), rim.end(), [&](std::size_t p) { return closed.count(p) > 0; }) ||
+         !completion.is_cut_off(hole, poll))
+        continue;
+      m_detected[ends[i]] = hole;
+      closed.insert(rim.begin(), rim.end());
+    }
+  }
+
+  static Detected_hole<ConcurrencyTag> taken_for_hole(Detected_hole<ConcurrencyTag> border)
+  {
+    border.is_outer_border = false;
+    border.loops = border.patch->loops();
+    return border;
+  }
+
+  // with the sources prepared, which it refers to
+  Hole_completion<ConcurrencyTag> hole_completion() const
+  {
+    Search_settings search;
+    search.number_of_turns = m_parameters.number_of_turns;
+    search.mirror = m_parameters.mirror;
+    search.number_of_places = m_parameters.number_of_candidates;
+    search.alignment = m_parameters.ingredients.alignment;
+    search.signature = m_parameters.ingredients.signature;
+    search.probes = m_parameters.ingredients.probes;
+    return Hole_completion<ConcurrencyTag>(*m_model, m_sources, search, m_parameters.keep_texture,
+                                           m_parameters.ingredients);
   }
 
   bool detect_by_paper(const Callback& callback)

@@ -64,7 +64,7 @@ public:
                 const std::vector<Place_relief>& reliefs, double radius, const Ingredients& ingredients,
                 const Place_facets<ConcurrencyTag>* facets = nullptr)
     : m_patch(patch), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
-      m_statistics(places, coverages(reliefs), mismatch(), radius, patch.spacing())
+      m_statistics(places, coverages(reliefs), mismatch(), radius, patch.spacing(), may_fill(reliefs))
   {
     // the hole is the last column: nothing but the known surface
     const std::size_t n = places.size();
@@ -92,6 +92,9 @@ public:
 
   /// Mismatch between the surroundings of a place and of the hole, 0 perfect, at least 1 hopeless.
   double match(std::size_t place) const { return m_statistics.mismatch(target, place); }
+
+  /// The least one over all places, also those that the hole is not to be filled from.
+  double least_mismatch() const { return m_statistics.least_mismatch(); }
 
   /// Whether there are enough fake holes to learn from.
   bool has_fake_holes() const { return m_statistics.is_sufficient(); }
@@ -188,6 +191,14 @@ private:
     std::vector<double> result;
     for(const Place_relief& relief : reliefs)
       result.push_back(relief.coverage);
+    return result;
+  }
+
+  static std::vector<char> may_fill(const std::vector<Place_relief>& reliefs)
+  {
+    std::vector<char> result;
+    for(const Place_relief& relief : reliefs)
+      result.push_back(relief.may_fill);
     return result;
   }
 

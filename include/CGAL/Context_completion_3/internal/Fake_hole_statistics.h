@@ -46,9 +46,12 @@ public:
     \param mismatch of a place, or the hole, with another place around the hole
     \param radius places that are nearer to each other know each other's truth
     \param spacing of points
+    \param may_fill of each place, whether the hole may be filled from it (empty: all may); the others are fake holes
+           all the same
   */
   Fake_hole_statistics(const std::vector<Place>& places, const std::vector<double>& coverage,
-                       const std::function<double(std::size_t, std::size_t)>& mismatch, double radius, double spacing)
+                       const std::function<double(std::size_t, std::size_t)>& mismatch, double radius, double spacing,
+                       const std::vector<char>& may_fill = std::vector<char>())
     : m_mismatch(Eigen::Index(places.size()) + 1, Eigen::Index(places.size())), m_spacing(spacing)
   {
     const std::size_t n = places.size();
@@ -59,6 +62,10 @@ public:
     for(std::size_t i = 0; i <= n; ++i)
       m_ranking.push_back(rank(places, i == n ? target : i, radius));
     choose_judges(coverage);
+    std::vector<std::size_t>& order = m_ranking.back();
+    m_least_mismatch = order.empty() ? 0. : this->mismatch(target, order.front());
+    order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t j)
+      { return !may_fill.empty() && !may_fill[j]; }), order.end());
   }
 
   /// Places by their match to place `k`, without those that overlap it.
@@ -67,6 +74,9 @@ public:
   /// Mismatch between the surroundings of two places, 0 perfect, at least 1 hopeless. A place that does not cover the
   /// hole matches worse.
   double mismatch(std::size_t k, std::size_t j) const { return m_mismatch(column(k), Eigen::Index(j)); }
+
+  /// Mismatch of the hole with the best place of all, whether the hole may be filled from it or not.
+  double least_mismatch() const { return m_least_mismatch; }
 
   /// Row of place `k` in matrices of all places and, last, the hole.
   Eigen::Index column(std::size_t k) const { return k == target ? m_mismatch.cols() : Eigen::Index(k); }
@@ -251,6 +261,7 @@ private:
 
   Eigen::MatrixXd m_mismatch;                         // (places, the hole last) x places
   double m_spacing;
+  double m_least_mismatch = 0;
   std::vector<std::vector<std::size_t> > m_ranking;   // per place, the hole last
   std::vector<std::size_t> m_judges;
   std::vector<double> m_weights;                      // parallel to it

@@ -21,6 +21,7 @@
 #include <CGAL/Context_completion_3/internal/Hole_refinement.h>
 #include <CGAL/Context_completion_3/internal/Hole_relief.h>
 #include <CGAL/Context_completion_3/internal/Missing_texture.h>
+#include <CGAL/Context_completion_3/internal/Open_end.h>
 #include <CGAL/Context_completion_3/internal/Patch_transfer.h>
 
 #include <algorithm>
@@ -86,12 +87,21 @@ public:
   /// that is to be believed wins over all but another such copy.
   Match find(const Detected_hole<ConcurrencyTag>& hole, const Poll& poll) const
   {
-    const Match match = find_over(hole.patch, poll);
+    const bool is_end = hole.is_end && !hole.is_outer_border;
+    const Match match = find_over(hole.patch, is_end, poll);
     if(!hole.stiff)
       return match;
-    const Match stiff = find_over(hole.stiff, poll);
+    const Match stiff = find_over(hole.stiff, is_end, poll);
     const bool is_better = match.chosen.belief() == 0 || stiff.chosen.error < match.chosen.error;
     return stiff.chosen.belief() > 0 && is_better ? stiff : match;
+  }
+
+  /// Whether the end of a tube is a hole: a place that closes is to be believed, and none where the tube just goes on
+  /// matches better.
+  bool is_cut_off(const Detected_hole<ConcurrencyTag>& end, const Poll& poll) const
+  {
+    const Match match = find(end, poll);
+    return match.chosen.belief() > 0 && match.best <= 1.25 * match.forecast->least_mismatch() + 0.01;
   }
 
   /// The heights of the chosen plan, and what of its places is carried into the hole.
@@ -239,7 +249,7 @@ public:
   }
 
 private:
-  Match find_over(const std::shared_ptr<const Patch>& base, const Poll& poll) const
+  Match find_over(const std::shared_ptr<const Patch>& base, bool is_end, const Poll& poll) const
   {
     Match match;
     match.patch = base;
@@ -251,7 +261,17 @@ private:
     poll();
     match.reliefs.resize(match.places.size());
     for_each_index<ConcurrencyTag>(match.places.size(), [&](std::size_t i)
-      { match.reliefs[i] = match.sampler->relief(match.places[i]); });
+    {
+      match.reliefs[i] = match.sampler->relief(match.places[i]);
+      if(is_end)
+        match.reliefs[i].may_fill = Open_end<ConcurrencyTag>(m_known, patch, *match.sampler, m_sources).is_closed_by(
+          match.places[i]);
+    });
+    if(std::none_of(match.reliefs.begin(), match.reliefs.end(), [](const Place_relief& r) { return r.may_fill; }))
+    {
+      match.places.clear();
+      match.reliefs.clear();
+    }
     std::unique_ptr<const Place_facets<ConcurrencyTag> > facets;
     if(m_ingredients.facets)
       facets = std::make_unique<const Place_facets<ConcurrencyTag> >(m_known, patch, *match.sampler, m_sources);

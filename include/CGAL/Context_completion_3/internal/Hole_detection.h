@@ -39,9 +39,10 @@ template <typename ConcurrencyTag>
 struct Detected_hole
 {
   std::vector<Rim_loop> loops;
-  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where the rim opens outwards
+  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where no base closes the rim
   std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< another base, where that of `patch` bulges
   bool is_outer_border = false;
+  bool is_end = false;          ///< of a tube: a hole if a place that closes matches it, an outer border otherwise
   bool is_named = false;        ///< by the user
 
   /// Mean of the rim points.
@@ -118,6 +119,8 @@ public:
         Hole border;
         border.loops.push_back(loop);
         border.is_outer_border = true;
+        border.patch = cap(loops, grouping, left[k]);
+        border.is_end = border.patch != nullptr;
         holes.push_back(border);
       }
     }
@@ -148,6 +151,8 @@ private:
     std::set<std::size_t> closed;
     for(Hole& hole : holes)
     {
+      if(hole.is_outer_border)
+        continue;
       if(hole.patch)
         closed.insert(hole.patch->rim().begin(), hole.patch->rim().end());
       if(!hole.patch || !is_inside(hole.center(), box))
@@ -366,6 +371,22 @@ private:
   }
 
   static std::size_t most_fragments() { return 4; }
+
+  // A base over the end of a tube, whose rim opens neither to its centre nor away from it; otherwise none.
+  std::shared_ptr<const Patch> cap(const std::vector<Rim_loop>& loops, const Grouping& grouping, std::size_t l) const
+  {
+    if(loops[l].opening(m_model.points(), loops[l].center) < -least_opening())
+      return nullptr;
+    for(bool is_stiff : { false, true })
+    {
+      std::vector<std::size_t> group(1, l);
+      const auto patch = closed_base(loops, grouping, group, is_stiff);
+      if(patch && is_evident(*patch) && !is_sparse(*patch) &&
+         2 * patch->number_of_uncovered() >= patch->samples().size())
+        return patch;
+    }
+    return nullptr;
+  }
 
   const Model& m_model;
   std::vector<Bbox_3> m_user_holes;

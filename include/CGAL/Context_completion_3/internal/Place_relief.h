@@ -43,6 +43,7 @@ struct Place_relief
   Eigen::VectorXd rim_by_normals;     ///< the same by fits that use the normals of points, too
   std::vector<char> is_found;         ///< per centre: the source has a surface there that faces the same way
   double coverage = 0;                ///< share of covered samples
+  bool may_fill = true;               ///< the hole; otherwise it serves as a fake hole only
 };
 
 /// The part of a hole that a relief is asked for.
