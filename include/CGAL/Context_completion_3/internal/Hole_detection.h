@@ -345,7 +345,7 @@ private:
       if(group.size() < 2 || !grouping.surrounds_hole(group))
         break;
       const auto patch = closed_base(loops, grouping, group, is_stiff);
-      if(patch && patch->joins_rims() && is_evident(*patch))
+      if(patch && patch->joined_share() >= least_joined_share() && is_evident(*patch))
         return patch;
     }
     group.assign(1, l);
@@ -371,6 +371,9 @@ private:
   }
 
   static std::size_t most_fragments() { return 4; }
+
+  // Fragments beside a rim, where few points are missing, may stay alone.
+  static double least_joined_share() { return 0.8; }
 
   // A base over the end of a tube, whose rim opens neither to its centre nor away from it; otherwise none.
   std::shared_ptr<const Patch> cap(const std::vector<Rim_loop>& loops, const Grouping& grouping, std::size_t l) const
