@@ -189,6 +189,25 @@ TEST(Open_ends, A_pipe_stays_open_on_both_sides)
   }
 }
 
+TEST(Open_ends, A_named_end_of_a_pipe_is_closed_and_not_continued)
+{
+  Profile profile;
+  for(double z = 42; z > -42; z -= 0.01)
+    profile.emplace_back(5 - 0.5 * std::cos(samples::pi * z / 6), z);
+  Detected pipe(turned(profile));
+  const std::vector<std::size_t> borders = pipe.with_state(Hole_state::outer_border);
+  ASSERT_EQ(borders.size(), 2u);
+  ASSERT_TRUE(pipe.engine.complete(borders, no_callback));
+  EXPECT_EQ(pipe.engine.outcomes()[borders[0]].filling, Filling::smooth);
+  EXPECT_EQ(pipe.engine.outcomes()[borders[1]].filling, Filling::smooth);
+  // from both ends towards the axis
+  std::size_t near_axis[2] = { 0, 0 };
+  for(const Added_point& p : pipe.engine.added())
+    near_axis[p.position.z() > 0] += std::hypot(p.position.x(), p.position.y()) < 2;
+  EXPECT_GT(near_axis[0], 4u);
+  EXPECT_GT(near_axis[1], 4u);
+}
+
 TEST(Open_ends, Two_ends_that_were_cut_off_alike_are_no_examples_for_each_other)
 {
   Detected detected(cut(rod(rod_length), -cut_height, cut_height));

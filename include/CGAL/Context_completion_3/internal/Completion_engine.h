@@ -126,7 +126,8 @@ private:
       return;
     prepare_sources();
     const Hole_completion<ConcurrencyTag> completion = hole_completion();
-    std::set<std::size_t> closed;    // rim points: pieces of a rim may have led to one base, the user may have named it
+    // rim points: pieces of a rim may have led to one base, or the user has named it
+    std::set<std::size_t> closed;
     for(const Detected_hole<ConcurrencyTag>& hole : m_detected)
       if(hole.is_named)
         closed.insert(hole.patch->rim().begin(), hole.patch->rim().end());

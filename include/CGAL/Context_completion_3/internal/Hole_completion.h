@@ -87,11 +87,10 @@ public:
   /// that is to be believed wins over all but another such copy.
   Match find(const Detected_hole<ConcurrencyTag>& hole, const Poll& poll) const
   {
-    const bool is_end = hole.is_end && !hole.is_outer_border;
-    const Match match = find_over(hole.patch, is_end, poll);
+    const Match match = find_over(hole.patch, hole.is_end, poll);
     if(!hole.stiff)
       return match;
-    const Match stiff = find_over(hole.stiff, is_end, poll);
+    const Match stiff = find_over(hole.stiff, hole.is_end, poll);
     const bool is_better = match.chosen.belief() == 0 || stiff.chosen.error < match.chosen.error;
     return stiff.chosen.belief() > 0 && is_better ? stiff : match;
   }

@@ -339,13 +339,14 @@ private:
   std::shared_ptr<const Patch> base_of_broken_rim(const std::vector<Rim_loop>& loops, const Grouping& grouping,
                                                   std::size_t l, std::vector<std::size_t>& group) const
   {
+    const double least_joined_share = 0.8;    // fragments beside a rim, where few points are missing, may stay alone
     for(bool is_stiff : { false, true })
     {
       group = grouping.pieces_of_rim(l);
       if(group.size() < 2 || !grouping.surrounds_hole(group))
         break;
       const auto patch = closed_base(loops, grouping, group, is_stiff);
-      if(patch && patch->joined_share() >= least_joined_share() && is_evident(*patch))
+      if(patch && patch->joined_share() >= least_joined_share && is_evident(*patch))
         return patch;
     }
     group.assign(1, l);
@@ -371,9 +372,6 @@ private:
   }
 
   static std::size_t most_fragments() { return 4; }
-
-  // Fragments beside a rim, where few points are missing, may stay alone.
-  static double least_joined_share() { return 0.8; }
 
   // A base over the end of a tube, whose rim opens neither to its centre nor away from it; otherwise none.
   std::shared_ptr<const Patch> cap(const std::vector<Rim_loop>& loops, const Grouping& grouping, std::size_t l) const

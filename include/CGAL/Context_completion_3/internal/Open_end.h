@@ -105,7 +105,8 @@ private:
   {
     std::vector<std::size_t> ball;
     m_known.search().in_ball(x, 1.5 * m_patch.spacing(), ball);
-    return std::any_of(ball.begin(), ball.end(), [&](std::size_t k) { return is_same_side(m_known.normal(k), normal); });
+    return std::any_of(ball.begin(), ball.end(), [&](std::size_t k)
+      { return is_same_side(m_known.normal(k), normal); });
   }
 
   const Model& m_known;
