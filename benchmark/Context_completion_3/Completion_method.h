@@ -27,7 +27,7 @@ struct Completion_result
   Surface_points added;
   Benchmark_surface surface;
   bool is_surface = false;
-  std::string filling;                          ///< per hole that was filled, "copied" or "smooth"
+  std::string filling;                          ///< per hole that was filled, "copied", "smooth" or "learned"
   double expected_error = std::numeric_limits<double>::quiet_NaN();   ///< the method's own forecast, model units
 };
 

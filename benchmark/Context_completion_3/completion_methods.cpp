@@ -28,6 +28,18 @@ typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 
 namespace {
 
+const char* name_of(Package::Filling filling)
+{
+  switch(filling)
+  {
+  case Package::Filling::none: return "none";
+  case Package::Filling::copied: return "copied";
+  case Package::Filling::smooth: return "smooth";
+  case Package::Filling::learned: return "learned";
+  }
+  return "";
+}
+
 // the fillings and the mean of the expected errors, a hole counting by its points
 template <typename Report, typename Number_of_points>
 void summarize(const std::vector<Report>& reports, const Number_of_points& number_of_points, Completion_result& result)
@@ -38,7 +50,7 @@ void summarize(const std::vector<Report>& reports, const Number_of_points& numbe
     if(report.filling == Package::Filling::none)
       continue;
     result.filling += result.filling.empty() ? "" : " ";
-    result.filling += report.filling == Package::Filling::copied ? "copied" : "smooth";
+    result.filling += name_of(report.filling);
     sum += report.expected_error * double(number_of_points(report));
     points += double(number_of_points(report));
   }
@@ -124,6 +136,8 @@ const Variant variants[] = {
     [](Engine_parameters& p) { p.ingredients.facets = false; } },
   { "without_open_ends", "ends of tubes are outer borders, whatever the examples say",
     [](Engine_parameters& p) { p.ingredients.open_ends = false; } },
+  { "without_learning", "what no place matches is continued smoothly, whatever all places together teach",
+    [](Engine_parameters& p) { p.ingredients.learning = false; } },
   { "without_kriging", "smooth bases of polyharmonic trends only",
     [](Engine_parameters& p) { p.ingredients.kriging = false; } },
   { "without_texture", "nearest in distance instead of true in texture",

@@ -53,6 +53,7 @@ inline std::string name_of(CGAL::Context_completions_3::Filling filling)
   case Filling::none: return "none";
   case Filling::copied: return "copied";
   case Filling::smooth: return "smooth";
+  case Filling::learned: return "learned";
   }
   return "";
 }

@@ -32,6 +32,7 @@ const char* name(Filling filling)
   case Filling::none: return "left open";
   case Filling::copied: return "copied";
   case Filling::smooth: return "smooth";
+  case Filling::learned: return "learned";
   }
   return "";
 }

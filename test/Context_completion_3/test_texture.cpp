@@ -12,6 +12,7 @@
 // True in texture or nearest in distance: the parameter `keep_texture`, on relief that does not repeat.
 
 #include "include/engine_samples.h"
+#include "include/random_relief.h"
 
 #include <CGAL/Context_completion_3/internal/Completion_engine.h>
 #include <CGAL/Context_completion_3/internal/Patch_transfer.h>
@@ -38,55 +39,7 @@ namespace {
 
 typedef Completion_engine<CGAL::Parallel_if_available_tag> Engine;
 
-// A random field: many plane waves of all directions and of nearly the same length. It has no period.
-class Random_relief
-{
-public:
-  explicit Random_relief(unsigned int seed) : m_random(seed) {}
-
-  void add(double root_mean_square, double wave_length, std::size_t number)
-  {
-    for(std::size_t i = 0; i < number; ++i)
-    {
-      const double direction = samples::pi * m_random();
-      const double frequency = 2 * samples::pi / (wave_length * (1.025 + 0.225 * m_random()));
-      m_waves.push_back({ frequency * std::cos(direction), frequency * std::sin(direction), samples::pi * m_random(),
-                          root_mean_square * std::sqrt(2. / double(number)) });
-    }
-  }
-
-  double height(double x, double y) const
-  {
-    double sum = 0;
-    for(const Wave& w : m_waves)
-      sum += w.amplitude * std::cos(w.x * x + w.y * y + w.phase);
-    return sum;
-  }
-
-  std::pair<double, double> gradient(double x, double y) const
-  {
-    std::pair<double, double> sum(0., 0.);
-    for(const Wave& w : m_waves)
-    {
-      const double slope = -w.amplitude * std::sin(w.x * x + w.y * y + w.phase);
-      sum.first += w.x * slope;
-      sum.second += w.y * slope;
-    }
-    return sum;
-  }
-
-  double distance(const Vector& p) const
-  {
-    const std::pair<double, double> d = gradient(p.x(), p.y());
-    return std::abs(p.z() - height(p.x(), p.y())) / std::sqrt(1 + d.first * d.first + d.second * d.second);
-  }
-
-private:
-  struct Wave { double x, y, phase, amplitude; };
-
-  samples::Random_offsets m_random;
-  std::vector<Wave> m_waves;
-};
+typedef samples::Random_relief Random_relief;
 
 const double hole_radius = 8, center = 24;
 

@@ -33,7 +33,8 @@ enum class Filling
 {
   none,    ///< the hole was left as it was
   copied,  ///< from the best matching places of the surface or of the example point sets
-  smooth   ///< from the smooth base, as copying promised less
+  smooth,  ///< from the smooth base, as copying promised less
+  learned  ///< a sum of many places, weighted as they teach the surface to go on from its surroundings
 };
 #else
 typedef internal::Filling Filling;
@@ -53,7 +54,7 @@ struct Hole_report_3
   double diameter = 0;                           ///< `Hole_3::diameter`
   std::vector<std::vector<std::size_t> > loops;  ///< `Hole_3::loops`
   Filling filling = Filling::none;               ///< where its points came from
-  std::string reason;                            ///< a sentence that says why it was copied, smooth or left
+  std::string reason;                            ///< a sentence that says why it was copied, smooth, learned or left
   double expected_error = 0;                     ///< expected distance of the new points to the true surface
   double match = 0;                              ///< mismatch of the best matching place, 0 is best: by default how
                                                  ///< far the surroundings differ; by the paper's policies eq. 1

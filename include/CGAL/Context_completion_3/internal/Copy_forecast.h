@@ -19,10 +19,12 @@
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Learned_continuation.h>
 #include <CGAL/Context_completion_3/internal/Place_facets.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Rim_membrane.h>
 #include <CGAL/Context_completion_3/internal/Rim_mismatch.h>
+#include <CGAL/Context_completion_3/internal/Rim_warps.h>
 #include <CGAL/Context_completion_3/internal/Smooth_choice.h>
 
 #include <Eigen/Dense>
@@ -55,6 +57,7 @@ template <typename ConcurrencyTag>
 class Copy_forecast
 {
   typedef Smooth_patch<ConcurrencyTag> Patch;
+  typedef Rim_warps<ConcurrencyTag> Warps;
 
 public:
   static constexpr std::size_t target = Fake_hole_statistics::target;
@@ -64,7 +67,8 @@ public:
                 const std::vector<Place_relief>& reliefs, double radius, const Ingredients& ingredients,
                 const Place_facets<ConcurrencyTag>* facets = nullptr)
     : m_patch(patch), m_reliefs(reliefs), m_radius(radius), m_ingredients(ingredients),
-      m_statistics(places, coverages(reliefs), mismatch(), radius, patch.spacing(), may_fill(reliefs))
+      m_statistics(places, values<double>(reliefs, &Place_relief::coverage), mismatch(), radius, patch.spacing(),
+                   values<char>(reliefs, &Place_relief::may_fill))
   {
     // the hole is the last column: nothing but the known surface
     const std::size_t n = places.size();
@@ -87,6 +91,13 @@ public:
     choose_warps(family.membrane(), family.rim_values(rim));
   }
 
+  /// Lets what many places teach take the place of the smooth continuation of the hole.
+  void learn(const Learned_relief& learned)
+  {
+    m_learned = learned;
+    m_smooth.col(m_statistics.column(target)) = learned.heights;
+  }
+
   /// The places by how well they match the hole around it.
   const std::vector<std::size_t>& ranking() const { return m_statistics.ranking(target); }
 
@@ -106,7 +117,7 @@ public:
   Eigen::VectorXd heights(const Filling_plan& plan) const { return predict(plan, target); }
 
   /// Displacement that fits the best place to the rim.
-  Eigen::VectorXd fitting() const { return warp(target, ranking().front()); }
+  Eigen::VectorXd fitting() const { return m_warps.of(m_statistics, target, ranking().front()); }
 
   /// All plans with their forecasts, the smooth one first.
   std::vector<Plan_forecast> forecasts() const
@@ -132,6 +143,11 @@ public:
     for(std::size_t k : m_statistics.judges())
       errors.push_back(fake_error(Filling_plan(), k));
     extrapolate(errors, result[0]);
+    if(is_learned(result[0].plan))
+    {
+      result[0].error = m_learned.error;
+      result[0].upper = m_learned.upper;
+    }
     for(std::size_t places : {std::size_t(1), std::size_t(2), std::size_t(4), most_places})
     {
       if(places > 1 && !m_ingredients.averaging)
@@ -150,9 +166,11 @@ public:
     return result;
   }
 
-  /// What a plan misses on the fake holes: difference of the true heights from it, a column per fake hole.
+  /// What a plan misses on fake holes: difference of the true heights from it, a column per fake hole.
   Eigen::MatrixXd misses(const Filling_plan& plan) const
   {
+    if(is_learned(plan))
+      return m_learned.misses;
     const std::vector<std::size_t>& judges = m_statistics.judges();
     Eigen::MatrixXd result(m_smooth.rows(), Eigen::Index(judges.size()));
     for(std::size_t i = 0; i < judges.size(); ++i)
@@ -167,90 +185,57 @@ public:
     if(!m_statistics.is_sufficient())
       return result;
     const Eigen::MatrixXd missed = misses(forecast.plan).cwiseAbs();
+    const std::vector<double> weights = weights_of_misses(forecast.plan);
     Eigen::VectorXd mean = Eigen::VectorXd::Constant(m_smooth.rows(), 1e-300);
-    for(std::size_t i = 0; i < judge_weights().size(); ++i)
-      mean += judge_weights()[i] * missed.col(Eigen::Index(i)).cwiseMin(0.3 * m_radius);
+    for(std::size_t i = 0; i < weights.size(); ++i)
+      mean += weights[i] * missed.col(Eigen::Index(i)).cwiseMin(0.3 * m_radius);
     return mean * (forecast.error / mean.mean());
   }
 
-  /// Weights of the fake holes, of sum 1.
-  const std::vector<double>& judge_weights() const { return m_statistics.weights(); }
+  /// Weights of the fake holes that `misses()` tells of, of sum 1.
+  std::vector<double> weights_of_misses(const Filling_plan& plan) const
+  {
+    if(!is_learned(plan))
+      return m_statistics.weights();
+    const std::size_t number = std::size_t(m_learned.misses.cols());
+    return std::vector<double>(number, 1 / double(number));
+  }
 
 private:
-  typedef std::vector<std::vector<Eigen::VectorXd> > Warps; // per place, the hole last: parallel to its ranking
-
   static constexpr std::size_t most_places = 8;        // of a plan
 
   static double least_share() { return 0.15; }
 
+  bool is_learned(const Filling_plan& plan) const { return plan.places == 0 && m_learned.places > 0; }
+
   // In spacings: errors below are alike.
   static double smallest_error() { return 0.005; }
 
-  static std::vector<double> coverages(const std::vector<Place_relief>& reliefs)
+  template <typename Value, typename Member>
+  static std::vector<Value> values(const std::vector<Place_relief>& reliefs, Member Place_relief::* member)
   {
-    std::vector<double> result;
+    std::vector<Value> result;
     for(const Place_relief& relief : reliefs)
-      result.push_back(relief.coverage);
+      result.push_back(relief.*member);
     return result;
   }
 
-  static std::vector<char> may_fill(const std::vector<Place_relief>& reliefs)
-  {
-    std::vector<char> result;
-    for(const Place_relief& relief : reliefs)
-      result.push_back(relief.may_fill);
-    return result;
-  }
-
-  // Displacements that fit the best places of the hole, and of each fake hole, to its rim. Whether what a copy misses at
-  // the rim is real or noise of the local fits there, the fake holes tell.
+  // Whether what a copy misses at the rim is real or noise of the local fits there, the fake holes tell.
   void choose_warps(const Rim_membrane& membrane, const Eigen::MatrixXd& rim)
   {
+    const auto use = [&](const typename Warps::Spread& spread)
+      { m_warps = Warps(m_statistics, rim, most_places, spread); };
     if(!m_ingredients.warp)
-      return prepare_warps([&](const Eigen::VectorXd&) -> Eigen::VectorXd
-        { return Eigen::VectorXd::Zero(m_smooth.rows()); }, rim);
+      return use([&](const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::VectorXd::Zero(m_smooth.rows()); });
     const auto interpolate = [&](const Eigen::VectorXd& missed) { return membrane.interpolated(missed); };
-    if(!m_ingredients.fake_holes || !is_missed_alike(rim))
-      return prepare_warps(interpolate, rim);
-    prepare_warps([&](const Eigen::VectorXd& missed) { return membrane.smoothed(missed); }, rim);
+    if(!m_ingredients.fake_holes || !Warps::is_missed_alike(m_statistics, rim, smallest_error() * m_patch.spacing()))
+      return use(interpolate);
+    use([&](const Eigen::VectorXd& missed) { return membrane.smoothed(missed); });
     const double smoothed_loss = loss_of_whole_copies();
-    Warps smoothed;
-    smoothed.swap(m_warps);
-    prepare_warps(interpolate, rim);
+    const Warps smoothed = std::move(m_warps);
+    use(interpolate);
     if(smoothed_loss < loss_of_whole_copies())
-      m_warps.swap(smoothed);
-  }
-
-  // Whether the best place misses at the rim of the hole what best places miss at those of the fake holes. If it misses
-  // more, the fake holes have counterparts and the hole has not: what is noise there is misfit here.
-  bool is_missed_alike(const Eigen::MatrixXd& rim) const
-  {
-    const auto missed = [&](std::size_t k)
-    {
-      const Eigen::Index best = Eigen::Index(m_statistics.ranking(k).front());
-      return std::log((rim.col(m_statistics.column(k)) - rim.col(best)).cwiseAbs().mean()
-                      + smallest_error() * m_patch.spacing());
-    };
-    if(!m_statistics.is_sufficient())
-      return false;
-    double usual = 0;
-    for(std::size_t i = 0; i < m_statistics.judges().size(); ++i)
-      usual += judge_weights()[i] * missed(m_statistics.judges()[i]);
-    return missed(target) < usual + std::log(2.);
-  }
-
-  void prepare_warps(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& spread, const Eigen::MatrixXd& rim)
-  {
-    m_warps.assign(m_reliefs.size() + 1, std::vector<Eigen::VectorXd>());
-    std::vector<std::size_t> holes = m_statistics.judges();
-    holes.push_back(target);
-    for_each_index<ConcurrencyTag>(holes.size(), [&](std::size_t i)
-    {
-      const Eigen::Index k = m_statistics.column(holes[i]);
-      const std::vector<std::size_t>& order = m_statistics.ranking(holes[i]);
-      for(std::size_t r = 0; r < order.size() && r < most_places; ++r)
-        m_warps[std::size_t(k)].push_back(spread(rim.col(k) - rim.col(Eigen::Index(order[r]))));
-    });
+      m_warps = smoothed;
   }
 
   // Mean logarithm over the fake holes of an error there: one that is quite different must not decide.
@@ -258,7 +243,7 @@ private:
   {
     double loss = 0;
     for(std::size_t i = 0; i < m_statistics.judges().size(); ++i)
-      loss += judge_weights()[i] * std::log(error_of(m_statistics.judges()[i]) + smallest_error() * m_patch.spacing());
+      loss += m_statistics.weights()[i] * std::log(error_of(m_statistics.judges()[i]) + smallest_error() * m_patch.spacing());
     return loss;
   }
 
@@ -275,15 +260,7 @@ private:
   }
 
   // the heights of place `j`, which is among the best ones of `k`, there
-  Eigen::VectorXd carried(std::size_t k, std::size_t j) const { return m_reliefs[j].height + warp(k, j); }
-
-  // of place `j`, which is among the best ones of `k`
-  const Eigen::VectorXd& warp(std::size_t k, std::size_t j) const
-  {
-    const std::vector<std::size_t>& order = m_statistics.ranking(k);
-    const std::size_t r = std::size_t(std::find(order.begin(), order.end(), j) - order.begin());
-    return m_warps[std::size_t(m_statistics.column(k))][r];
-  }
+  Eigen::VectorXd carried(std::size_t k, std::size_t j) const { return m_reliefs[j].height + m_warps.of(m_statistics, k, j); }
 
   // Where edges go into the hole, facets that go on until they meet take the place of the smooth base, if they do better
   // on the fake holes. Without those there is nothing to learn from but the surroundings, which they explain.
@@ -410,6 +387,7 @@ private:
   Surface_points m_facet_points;                      // if the smooth base is made of facets
   Eigen::MatrixXd m_smooth;                           // samples x places, the hole last
   Warps m_warps;
+  Learned_relief m_learned;
   Eigen::VectorXd m_roughness;                        // per place, the hole last
 };
 

@@ -51,7 +51,7 @@ struct Hole_data
 };
 
 /// Where the points of a hole came from.
-enum class Filling { none, copied, smooth };
+enum class Filling { none, copied, smooth, learned };
 
 /// What completion did with one hole.
 struct Hole_outcome
@@ -90,6 +90,7 @@ struct Ingredients
   bool passes = true;        ///< pieces are matched again when others around them have been filled
   bool facets = true;        ///< where sharp edges go into the hole, facets may go on until they meet
   bool open_ends = true;     ///< the end of a tube is a hole where a place that matches it goes on
+  bool learning = true;      ///< relief may go on as many places teach
   bool kriging = true;       ///< smooth bases may continue what their trend misses as a random field
 };
 

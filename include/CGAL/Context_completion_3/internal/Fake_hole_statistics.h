@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Error_extrapolation.h>
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
 #include <CGAL/Context_completion_3/internal/Place.h>
 
@@ -182,47 +183,16 @@ public:
     return best;
   }
 
-  /*!
-    Fake holes differ from the hole: another one may be rougher around, or have found better examples. The errors made
-    there are carried to the hole along a power law of a predictor; its exponent is fitted, with 1 as the prior.
-
-    \param errors on the fake holes
-    \param predictor logarithm of what the error grows with, of a fake hole or the hole
-    \param forecast receives the error to expect
-  */
+  /// Carries errors on the fake holes over to the hole. \param predictor logarithm of what the error grows with, of a
+  /// fake hole or the hole \param forecast receives the error to expect
   void extrapolate(const std::vector<double>& errors, const std::function<double(std::size_t)>& predictor,
                    Plan_forecast& forecast) const
   {
-    const double floor = 0.01 * m_spacing;
-    const std::vector<double>& w = m_weights;
-    std::vector<double> x, y;
-    double mean_x = 0, mean_y = 0;
-    for(std::size_t i = 0; i < m_judges.size(); ++i)
-    {
-      x.push_back(predictor(m_judges[i]));
-      y.push_back(std::log(errors[i] + floor));
-      mean_x += w[i] * x.back();
-      mean_y += w[i] * y.back();
-    }
-    double xx = 0, xy = 0;
-    for(std::size_t i = 0; i < x.size(); ++i)
-    {
-      xx += w[i] * (x[i] - mean_x) * (x[i] - mean_x);
-      xy += w[i] * (x[i] - mean_x) * (y[i] - mean_y);
-    }
-    const double prior = 1, strength = 0.1;
-    const double slope = (std::max)(0., (std::min)(1., (xy + strength * prior) / (xx + strength)));
-    const double step = (std::max)(-1.5, (std::min)(1.5, predictor(target) - mean_x));
-    double spread = 0;
-    for(std::size_t i = 0; i < x.size(); ++i)
-    {
-      const double d = y[i] - mean_y - slope * (x[i] - mean_x);
-      spread += w[i] * d * d;
-    }
-    const double center = mean_y + slope * step;
-    forecast.error = (std::max)(0., std::exp(center) - floor);
-    // a standard deviation, and a quarter for what fake holes cannot show, by generated cases of known truth
-    forecast.upper = 1.25 * std::exp(center + std::sqrt(spread + 0.06)) - floor;
+    std::vector<double> predictors;
+    for(std::size_t k : m_judges)
+      predictors.push_back(predictor(k));
+    extrapolate_errors(errors, m_weights, predictors, predictor(target), 0.01 * m_spacing, forecast.error,
+                       forecast.upper);
   }
 
   /// What the error of a copy grows with: the mismatch of the places it is made of.

@@ -56,6 +56,7 @@ struct Hole_match
   double best = 0;                         ///< mismatch of the best place
   bool has_fake_holes = false;             ///< whether the forecasts are learnt
   bool continues_edges = false;            ///< whether the smooth plan is made of facets
+  std::size_t teachers = 0;                ///< places that the smooth plan was learnt from, 0: it is smooth
 
   /// Forgets what only `Hole_completion::relief()` needs.
   void shrink()
@@ -193,7 +194,10 @@ public:
     const Patch_transfer<ConcurrencyTag> transfer(m_known, patch, *match.sampler, m_sources);
     result.points = transfer.points(refinement.relief());
     result.outcome.match = match.best;
-    result.outcome.filling = chosen.plan.places > 0 || replaced > 0 ? Filling::copied : Filling::smooth;
+    if(chosen.plan.places > 0 || replaced > 0)
+      result.outcome.filling = Filling::copied;
+    else
+      result.outcome.filling = match.teachers > 0 ? Filling::learned : Filling::smooth;
     // pieces that differ from the first level say that its forecast was too low; they know nothing of the rest
     result.outcome.expected_error = (std::max)(chosen.upper, refinement.change());
     result.outcome.reason = reason(match, patch.spacing(), replaced);
@@ -283,15 +287,41 @@ private:
     match.continues_edges = forecast->facet_points().size() > 0;
     if(!match.places.empty())
       match.best = forecast->match(forecast->ranking().front());
-    const std::vector<Plan_forecast> forecasts = forecast->forecasts();
+    choose(*forecast, patch.spacing(), match);
+    if(m_ingredients.copies)
+      learn(patch, target.radius, poll, *forecast, match);
+    return match;
+  }
+
+  // the smooth plan, or a copy that promises to be better
+  void choose(const Copy_forecast<ConcurrencyTag>& forecast, double spacing, Match& match) const
+  {
+    const std::vector<Plan_forecast> forecasts = forecast.forecasts();
     match.smooth = match.chosen = forecasts.front();
     if(!m_ingredients.copies)
-      return match;
+      return;
     for(const Plan_forecast& f : forecasts)
       if(f.error < (match.chosen.plan.places > 0 ? match.chosen.error
-                                                 : copy_margin() * match.chosen.error - rounding() * patch.spacing()))
+                                                 : copy_margin() * match.chosen.error - rounding() * spacing))
         match.chosen = f;
-    return match;
+  }
+
+  // Where there is no copy to be believed, and more is missed than a smooth surface has, relief may go on as it does in
+  // many other places.
+  void learn(const Patch& patch, double radius, const Poll& poll, Copy_forecast<ConcurrencyTag>& forecast,
+             Match& match) const
+  {
+    const double error = match.chosen.error;
+    const bool is_needed = match.chosen.belief() == 0 && error > 0.15 * patch.spacing();
+    if(!m_ingredients.learning || !match.has_fake_holes || match.continues_edges || !is_needed)
+      return;
+    const Learned_relief learned =
+      Learned_continuation<ConcurrencyTag>(m_known, *m_sources.front().model, patch, radius, poll).result();
+    if(learned.places == 0 || !(learned.error < copy_margin() * error))
+      return;
+    forecast.learn(learned);
+    match.teachers = learned.places;
+    choose(forecast, patch.spacing(), match);
   }
 
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
@@ -334,6 +364,8 @@ private:
       text << "smooth: no source place matches the surroundings";
     else if(!match.has_fake_holes)
       text << "smooth: too few places resemble the hole to try a copy there";
+    else if(chosen.plan.places == 0 && match.teachers > 0)
+      text << "learned from " << match.teachers << " places: forecast " << chosen.error / spacing << " spacings";
     else if(chosen.plan.places == 0)
       text << "smooth: forecast " << chosen.error / spacing << " spacings, no copy promises clearly less";
     else

@@ -59,9 +59,7 @@ public:
     m_deviation = Eigen::VectorXd::Zero(missing.rows());
     if(missing.cols() == 0)
       return;
-    std::vector<std::pair<double, double> > judged(std::size_t(missing.cols()));
-    for(std::size_t k = 0; k < judged.size(); ++k)
-      judged[k].second = forecast.judge_weights()[k];
+    const std::vector<std::pair<double, double> > judged = weighted(forecast.weights_of_misses(plan));
     std::vector<std::pair<double, double> > variances;
     for(Eigen::Index s = 0; s < missing.rows(); ++s)
     {
@@ -75,9 +73,10 @@ public:
       if(fade == 1)
         m_inner.push_back(s);
     }
-    for(std::size_t k = 0; k < judged.size(); ++k)
-      judged[k].first = roughness(relief.col(Eigen::Index(k)));
-    m_roughness = weighted_quantile(judged, 0.5);
+    std::vector<std::pair<double, double> > roughnesses = weighted(forecast.weights_of_misses(Filling_plan()));
+    for(std::size_t k = 0; k < roughnesses.size(); ++k)
+      roughnesses[k].first = roughness(relief.col(Eigen::Index(k)));
+    m_roughness = weighted_quantile(roughnesses, 0.5);
   }
 
   /*!
@@ -116,6 +115,15 @@ public:
   }
 
 private:
+  // values, which are yet to be set, with weights
+  static std::vector<std::pair<double, double> > weighted(const std::vector<double>& weights)
+  {
+    std::vector<std::pair<double, double> > result;
+    for(double w : weights)
+      result.emplace_back(0., w);
+    return result;
+  }
+
   static double largest_gain() { return 1.75; }
 
   // Texture cannot be stronger than all that is missing; fake holes that ask for far more are rougher than the hole.
