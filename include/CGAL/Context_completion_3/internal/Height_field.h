@@ -94,6 +94,9 @@ public:
 
   const Vector& middle() const { return m_middle; }
 
+  /// Number of points that the hole and its surroundings have, about: the work of seeing a place.
+  std::size_t size() const { return m_marks.size(); }
+
   /// Heights of the hole around its rim; there are none inside.
   Heights of_hole(const Model& known) const
   {
@@ -184,7 +187,9 @@ private:
       return;
     m_middle += mean / double(ring.size()) * m_direction;
     std::vector<std::size_t> probe(ring.size(), no_index);
-    for(std::size_t i : thinned_points(ring, 2 * m_patch.spacing() / m_radius))
+    // as dense as relief of a few spacings calls for, but what is learnt from them is the work of their number cubed
+    const double most = 800, apart = (std::max)(2., std::sqrt(double(ring.size()) / (1.6 * most)));
+    for(std::size_t i : thinned_points(ring, apart * m_patch.spacing() / m_radius))
     {
       probe[i] = m_around.size();
       m_around.push_back(ring.position[i].head<2>());

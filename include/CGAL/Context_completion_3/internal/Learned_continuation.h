@@ -81,7 +81,8 @@ public:
   const Learned_relief& result() const { return m_result; }
 
 private:
-  static constexpr std::size_t least_probes = 12, least_places = 40, most_places = 1000, most_fake_holes = 48;
+  static constexpr std::size_t least_probes = 12, least_places = 40, most_places = 1000, most_fake_holes = 48,
+                               most_points = 20000000;
 
   static double least_share() { return 0.95; }
 
@@ -121,11 +122,12 @@ private:
     order.erase(order.begin(), std::lower_bound(order.begin(), order.end(), first));
     m_places.clear();
     std::size_t tried = 0;
-    const std::size_t batch = 256, most_tried = 3 * most_places;
+    // holes of a hundred spacings and more learn from fewer, rather than for minutes
+    const std::size_t batch = 256, most_tried = (std::min)(3 * most_places, most_points / m_field.size());
     while(tried < order.size() && tried < most_tried && m_places.size() < wanted)
     {
       m_poll();
-      const std::size_t number = (std::min)(batch, order.size() - tried);
+      const std::size_t number = (std::min)(batch, (std::min)(order.size(), most_tried) - tried);
       std::vector<Example> examples(number);
       std::vector<char> is_seen(number, 0);
       for_each_index<ConcurrencyTag>(number, [&](std::size_t k)
@@ -159,6 +161,8 @@ private:
       m_inside.col(k) = m_places[std::size_t(k)].heights.inside;
     }
     m_around.col(n) = hole.around;
+    for(Example& place : m_places)
+      place.heights = Heights();
     m_weights.resize(around);
     for(Eigen::Index i = 0; i < around; ++i)
       m_weights[i] = std::exp(-m_field.distance()[std::size_t(i)] / 0.4);
