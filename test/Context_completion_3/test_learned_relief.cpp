@@ -93,6 +93,13 @@ Completion completed(const samples::Random_relief& relief, bool is_learning)
   return result;
 }
 
+void expect_same_points(const std::vector<Added_point>& a, const std::vector<Added_point>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for(std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_EQ(a[i].position, b[i].position);
+}
+
 // The hole of a sheet with its base.
 struct Hole_in_sheet
 {
@@ -138,9 +145,7 @@ TEST(Learned_relief, ReliefThatIsRandomStaysAsItWas)
   relief.add(1., 6., 40);
   const Completion learned = completed<Tag>(relief, true), other = completed<Tag>(relief, false);
   EXPECT_NE(learned.outcome.filling, Filling::learned) << learned.outcome.reason;
-  ASSERT_EQ(learned.added.size(), other.added.size());
-  for(std::size_t i = 0; i < learned.added.size(); ++i)
-    EXPECT_EQ(learned.added[i].position, other.added[i].position);
+  expect_same_points(learned.added, other.added);
 }
 
 TEST(Learned_relief, OneThreadAndSeveralMakeTheSamePoints)
@@ -148,9 +153,7 @@ TEST(Learned_relief, OneThreadAndSeveralMakeTheSamePoints)
   const samples::Random_relief relief = crossing_waves();
   const Completion one = completed<CGAL::Sequential_tag>(relief, true), several = completed<Tag>(relief, true);
   EXPECT_EQ(one.outcome.filling, Filling::learned) << one.outcome.reason;
-  ASSERT_EQ(one.added.size(), several.added.size());
-  for(std::size_t i = 0; i < one.added.size(); ++i)
-    EXPECT_EQ(one.added[i].position, several.added[i].position);
+  expect_same_points(one.added, several.added);
 }
 
 TEST(Learned_relief, FakeHolesMissWhatTheHoleMisses)

@@ -140,13 +140,16 @@ public:
       return result;
     }
     std::vector<double> errors;
-    for(std::size_t k : m_statistics.judges())
-      errors.push_back(fake_error(Filling_plan(), k));
-    extrapolate(errors, result[0]);
     if(is_learned(result[0].plan))
     {
       result[0].error = m_learned.error;
       result[0].upper = m_learned.upper;
+    }
+    else
+    {
+      for(std::size_t k : m_statistics.judges())
+        errors.push_back(fake_error(Filling_plan(), k));
+      extrapolate(errors, result[0]);
     }
     for(std::size_t places : {std::size_t(1), std::size_t(2), std::size_t(4), most_places})
     {
@@ -197,8 +200,7 @@ public:
   {
     if(!is_learned(plan))
       return m_statistics.weights();
-    const std::size_t number = std::size_t(m_learned.misses.cols());
-    return std::vector<double>(number, 1 / double(number));
+    return std::vector<double>(std::size_t(m_learned.misses.cols()), 1 / double(m_learned.misses.cols()));
   }
 
 private:

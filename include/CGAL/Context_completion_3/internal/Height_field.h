@@ -101,7 +101,7 @@ public:
   Heights of_hole(const Model& known) const
   {
     std::vector<std::size_t> points;
-    known.search().in_ball(m_middle, reach(), points);
+    known.search().in_ball(m_middle, m_reach, points);
     return heights(known, Motion(), points);
   }
 
@@ -110,7 +110,7 @@ public:
   {
     std::vector<std::size_t> points;
     const Vector at = model.position(i);
-    model.search().in_ball(at, reach(), points);
+    model.search().in_ball(at, m_reach, points);
     Vector normal = Vector::Zero(), middle = Vector::Zero();
     std::size_t number = 0;
     for(std::size_t j : points)
@@ -150,8 +150,6 @@ public:
   }
 
 private:
-  double reach() const { return m_reach; }
-
   double height(const Vector& x) const { return (x - m_middle).dot(m_direction); }
   Point_2 flat(const Vector& x) const { return Point_2((x - m_middle).dot(m_u), (x - m_middle).dot(m_v)) / m_radius; }
 
@@ -216,7 +214,10 @@ private:
       m_bins[std::size_t(bin(m_marks[i].position, 0) + m_size[0] * bin(m_marks[i].position, 1))].push_back(i);
   }
 
-  std::ptrdiff_t bin(const Point_2& x, int axis) const { return std::ptrdiff_t(std::floor((x[axis] - m_low[axis]) / m_edge)); }
+  std::ptrdiff_t bin(const Point_2& x, int axis) const
+  {
+    return std::ptrdiff_t(std::floor((x[axis] - m_low[axis]) / m_edge));
+  }
 
   // calls `visit(mark, squared distance)` for all marks within the edge of a bin
   template <typename Visit>

@@ -44,13 +44,13 @@ struct Learned_relief
 
 /*!
   Continues relief as it goes on elsewhere, where no single place matches: waves of several directions cross each other
-  in ever other phases. How the heights inside follow from those around is learnt from hundreds of places by ridge
-  regression, so that the hole gets a sum of copies, each with a weight, which may be negative: what is common to all
-  places, as directions and lengths of waves, goes on; what is not averages out.
+  in ever other phases. How the heights inside follow from those around is learnt from hundreds of places of the surface
+  itself by ridge regression, so that the hole gets a sum of copies, each with a weight, which may be negative: what is
+  common to all places, as directions and lengths of waves, goes on; what is not averages out.
 
-  What is learnt is the difference from a thin plate through the heights around. Each place that serves as a fake hole is
-  predicted from those that know nothing of it, as are those of `Copy_forecast`: they choose how strongly the weights are
-  damped, and tell the error.
+  What is learnt is the difference from a thin plate through the heights around. Some places serve as fake holes: each
+  is predicted from those that know nothing of it, as are those of `Copy_forecast`. They choose how strongly the weights
+  are damped, and tell the error.
 */
 template <typename ConcurrencyTag>
 class Learned_continuation
@@ -62,8 +62,8 @@ class Learned_continuation
 
 public:
   /// \param source the surface to learn from \param radius of the hole \param poll called between stages
-  Learned_continuation(const Model& known, const Model& source, const Smooth_patch<ConcurrencyTag>& patch, double radius,
-                       const Poll& poll)
+  Learned_continuation(const Model& known, const Model& source, const Smooth_patch<ConcurrencyTag>& patch,
+                       double radius, const Poll& poll)
     : m_spacing(patch.spacing()), m_radius(radius), m_poll(poll), m_field(known, patch, radius)
   {
     if(!m_field.is_valid() || m_field.around().size() < least_probes)
@@ -95,7 +95,8 @@ private:
     Heights heights;
   };
 
-  // The nearest places, as many as the probes around call for: as far apart as they may be, because near ones teach alike.
+  // The nearest places, as many as the probes around call for: as far apart as they may be, because near ones teach
+  // alike.
   void find_places(const Model& source)
   {
     const std::size_t wanted = (std::min)(std::size_t(most_places), 4 * m_field.around().size());
@@ -103,15 +104,20 @@ private:
     double distance = (std::max)(nearest, 0.3 * m_radius);
     for(int round = 0; round < 3; ++round)
     {
-      const double share = find_places(source, distance, wanted);
+      double share = 0;
+      std::vector<Example> found = find_places(source, distance, wanted, share);
+      // among nearer ones, of which as many are tried, there may be fewer
+      if(found.size() <= m_places.size())
+        return;
+      m_places.swap(found);
       if(m_places.size() >= wanted || m_places.size() < least_places || share < 0.2 || distance == nearest)
         return;
       distance = (std::max)(nearest, distance * std::sqrt(0.9 * double(m_places.size()) / double(wanted)));
     }
   }
 
-  // \return the share of places that can be seen as heights
-  double find_places(const Model& source, double distance, std::size_t wanted)
+  // \param share receives that of the tried places which can be seen as heights
+  std::vector<Example> find_places(const Model& source, double distance, std::size_t wanted, double& share) const
   {
     std::vector<std::pair<double, std::size_t> > order;
     for(std::size_t i : thinned_points(source.points(), distance))
@@ -120,11 +126,11 @@ private:
     // nearer ones lack what the hole lacks
     const std::pair<double, std::size_t> first(reach_of_truth() * m_radius, 0);
     order.erase(order.begin(), std::lower_bound(order.begin(), order.end(), first));
-    m_places.clear();
+    std::vector<Example> result;
     std::size_t tried = 0;
     // holes of a hundred spacings and more learn from fewer, rather than for minutes
     const std::size_t batch = 256, most_tried = (std::min)(3 * most_places, most_points / m_field.size());
-    while(tried < order.size() && tried < most_tried && m_places.size() < wanted)
+    while(tried < order.size() && tried < most_tried && result.size() < wanted)
     {
       m_poll();
       const std::size_t number = (std::min)(batch, (std::min)(order.size(), most_tried) - tried);
@@ -138,15 +144,16 @@ private:
         examples[k].heights = std::move(*heights);
         is_seen[k] = 1;
       });
-      for(std::size_t k = 0; k < number && m_places.size() < wanted; ++k)
+      for(std::size_t k = 0; k < number && result.size() < wanted; ++k)
         if(is_seen[k])
-          m_places.push_back(std::move(examples[k]));
+          result.push_back(std::move(examples[k]));
       tried += number;
       // where the surface bends away from the plane everywhere, most of it would be tried in vain
-      if(tried >= 2 * batch && double(m_places.size()) < 0.05 * double(tried))
+      if(tried >= 2 * batch && double(result.size()) < 0.05 * double(tried))
         break;
     }
-    return double(m_places.size()) / double((std::max)(tried, std::size_t(1)));
+    share = double(result.size()) / double((std::max)(tried, std::size_t(1)));
+    return result;
   }
 
   // The heights without a plane through those around, which is none of the relief.
@@ -196,9 +203,9 @@ private:
       if(fake_holes.empty() || fake_holes.back() < i * n / Eigen::Index(most_fake_holes))
         fake_holes.push_back(i * n / Eigen::Index(most_fake_holes));
     std::vector<Eigen::MatrixXd> plates, differences;
-    for(double noise : {1e-4, 1e-2})
+    for(const Eigen::MatrixXd& plate : thin_plates({1e-4, 1e-2}))
     {
-      plates.push_back(thin_plate(noise) * m_around);
+      plates.push_back(plate * m_around);
       differences.push_back((m_inside - plates.back().leftCols(n)) * scale.asDiagonal());
     }
     double least = 0;
@@ -223,22 +230,23 @@ private:
         errors = made;
         m_result.places = std::size_t(n);
         m_result.misses = misses;
-        m_result.heights = plates[p].col(n) + differences[p] * (inverse * (scale.asDiagonal() * products.col(n).head(n))) +
-                           m_linear * m_planes.col(n);
+        const Eigen::VectorXd own = inverse * (scale.asDiagonal() * products.col(n).head(n));
+        m_result.heights = plates[p].col(n) + differences[p] * own + m_linear * m_planes.col(n);
       }
     }
     m_result.heights = m_field.over_base(m_result.heights);
     forecast(errors, fake_holes, products.diagonal().cwiseSqrt());
   }
 
-  // The weights, of all places, that give what a fake hole differs from its prediction by the places that know nothing of
-  // it (block cross-validation from one inverse).
+  // The weights, of all places, that give what a fake hole differs from its prediction by the places that know nothing
+  // of it (block cross-validation from one inverse).
   Eigen::VectorXd left_out(const Eigen::MatrixXd& inverse, Eigen::Index fake_hole) const
   {
     std::vector<Eigen::Index> block;
     Eigen::Index own = 0;
+    const Vector origin = m_places[std::size_t(fake_hole)].origin;
     for(Eigen::Index k = 0; k < inverse.rows(); ++k)
-      if((m_places[std::size_t(k)].origin - m_places[std::size_t(fake_hole)].origin).norm() < reach_of_truth() * m_radius)
+      if((m_places[std::size_t(k)].origin - origin).norm() < reach_of_truth() * m_radius)
       {
         if(k == fake_hole)
           own = Eigen::Index(block.size());
@@ -255,8 +263,9 @@ private:
     return rows.transpose() * inner.llt().solve(Eigen::VectorXd::Unit(size, own));
   }
 
-  // Cubic radial functions through the heights around, as an operator from those to the heights inside.
-  Eigen::MatrixXd thin_plate(double noise) const
+  // Cubic radial functions through the heights around, which have some noise: operators from those to the heights
+  // inside.
+  std::vector<Eigen::MatrixXd> thin_plates(const std::vector<double>& noises) const
   {
     const std::vector<Point_2>& centers = m_field.around();
     const Eigen::Index n = Eigen::Index(centers.size());
@@ -272,15 +281,23 @@ private:
       result.rightCols(3) = linear_terms(positions);
       return result;
     };
-    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 3, n + 3);
-    system.topRows(n) = basis(centers);
-    system.bottomLeftCorner(3, n) = system.topRightCorner(n, 3).transpose();
-    system.diagonal().head(n).array() += noise;
-    return system.partialPivLu().solve(basis(m_field.inside()).transpose()).topRows(n).transpose();
+    Eigen::MatrixXd exact = Eigen::MatrixXd::Zero(n + 3, n + 3);
+    exact.topRows(n) = basis(centers);
+    exact.bottomLeftCorner(3, n) = exact.topRightCorner(n, 3).transpose();
+    const Eigen::MatrixXd inside = basis(m_field.inside()).transpose();
+    std::vector<Eigen::MatrixXd> result;
+    for(double noise : noises)
+    {
+      Eigen::MatrixXd system = exact;
+      system.diagonal().head(n).array() += noise;
+      result.push_back(system.partialPivLu().solve(inside).topRows(n).transpose());
+    }
+    return result;
   }
 
   // errors grow with the relief around
-  void forecast(const Eigen::VectorXd& errors, const std::vector<Eigen::Index>& fake_holes, const Eigen::VectorXd& relief)
+  void forecast(const Eigen::VectorXd& errors, const std::vector<Eigen::Index>& fake_holes,
+                const Eigen::VectorXd& relief)
   {
     std::vector<double> made, predictors;
     for(Eigen::Index i = 0; i < errors.size(); ++i)
