@@ -587,6 +587,16 @@ TEST(Default_policy, Tiles_whose_relief_leads_the_base_astray_are_filled_from_ot
   expect_copy(result, removed);
 }
 
+TEST(Default_policy, Fragments_of_the_rim_beside_steep_tiles_do_not_keep_them_from_being_copied)
+{
+  // a seventh of the rim is cut off by the steps, and a stiff base does not reach it
+  const samples::Samples tiles = samples::steep_graph(80, 60, 0.9, [](double x, double y)
+    { return 1.3 * samples::tiles_height(x, y); });
+  samples::Samples removed;
+  const Completion result = sequential(samples::without_ball(tiles, samples::Point(37.5, 31, 1.5), 9., &removed));
+  expect_copy(result, removed);
+}
+
 // The plan of the least error over a hole in a plane, for eight places whose rim is that plane, as far as can be told. So
 // many of them have a hill in the middle. They match the hole a little better than the others, and each kind matches
 // itself best. \return the height in the middle

@@ -328,7 +328,7 @@ private:
   static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
   {
     const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
-    const double largest_fragment = 0.1;
+    const double largest_fragment = 0.2;
     const bool is_torn = stiff->joined_share() < patch.joined_share() - largest_fragment;
     return stiff->is_closed() && !is_torn && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
   }
