@@ -33,7 +33,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -160,7 +159,8 @@ public:
       const Trust trust = m_statistics.learn_trust(
         places, [&](const Filling_plan& plan, std::size_t k) { return fake_error(plan, k); }, errors);
       forecast.plan.share = trust.share(m_statistics.joint_mismatch(places, target));
-      if(forecast.plan.share < least_share())
+      // a mean of two surfaces with sharp edges has them twice
+      if(forecast.plan.share < least_share() || (m_facet_points.size() > 0 && !forecast.plan.is_whole()))
         continue;
       extrapolate(errors, forecast);
       result.push_back(forecast);

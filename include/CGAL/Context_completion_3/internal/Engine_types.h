@@ -89,7 +89,7 @@ struct Ingredients
   bool coherence = true;     ///< pieces try the places of the whole hole and of their neighbours
   bool passes = true;        ///< pieces are matched again when others around them have been filled
   bool facets = true;        ///< where sharp edges go into the hole, facets may go on until they meet
-  bool open_ends = true;     ///< the end of a tube is a hole where a place that matches it goes on
+  bool open_ends = true;     ///< the end of a tube is a hole where a matching place or facets close it
   bool learning = true;      ///< relief may go on as many places teach
   bool kriging = true;       ///< smooth bases may continue what their trend misses as a random field
 };

@@ -29,6 +29,9 @@ struct Filling_plan
   explicit Filling_plan(std::size_t number_of_places = 0, double share_of_them = 0)
     : places(number_of_places), share(share_of_them)
   {}
+
+  /// Whether a copy is carried as a whole: the rest, a tenth of the smooth continuation, could but blunt it.
+  bool is_whole() const { return share > 0.9; }
 };
 
 /// A plan and its error on the fake holes.

@@ -58,6 +58,9 @@ struct Hole_match
   bool continues_edges = false;            ///< whether the smooth plan is made of facets
   std::size_t teachers = 0;                ///< places that the smooth plan was learnt from, 0: it is smooth
 
+  /// Whether the hole is to be filled by facets that go on until they meet.
+  bool is_faceted() const { return chosen.plan.places == 0 && continues_edges; }
+
   /// Forgets what only `Hole_completion::relief()` needs.
   void shrink()
   {
@@ -85,23 +88,27 @@ public:
 
   /// Places, their reliefs, the forecasts of all plans, and the choice between them. Where the base of a hole bulges,
   /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base
-  /// that is to be believed wins over all but another such copy.
+  /// that is to be believed wins over all but another such copy. So do facets, which need a base for their forecast alone;
+  /// but where too few places resemble the hole, that the stiff base finds some is no promise.
   Match find(const Detected_hole<ConcurrencyTag>& hole, const Poll& poll) const
   {
     const Match match = find_over(hole.patch, hole.is_end, poll);
     if(!hole.stiff)
       return match;
     const Match stiff = find_over(hole.stiff, hole.is_end, poll);
-    const bool is_better = match.chosen.belief() == 0 || stiff.chosen.error < match.chosen.error;
-    return stiff.chosen.belief() > 0 && is_better ? stiff : match;
+    const bool is_surer = stiff.chosen.error < match.chosen.error;
+    if(stiff.chosen.belief() > 0)
+      return match.chosen.belief() == 0 || is_surer ? stiff : match;
+    return stiff.is_faceted() && match.has_fake_holes && is_surer ? stiff : match;
   }
 
   /// Whether the end of a tube is a hole: a place that closes is to be believed, and none where the tube just goes on
-  /// matches better.
+  /// matches better; or facets that go on close it.
   bool is_cut_off(const Detected_hole<ConcurrencyTag>& end, const Poll& poll) const
   {
     const Match match = find(end, poll);
-    return match.chosen.belief() > 0 && match.best <= 1.25 * match.forecast->least_mismatch() + 0.01;
+    return match.is_faceted() ||
+           (match.chosen.belief() > 0 && match.best <= 1.25 * match.forecast->least_mismatch() + 0.01);
   }
 
   /// The heights of the chosen plan, and what of its places is carried into the hole.
@@ -109,12 +116,12 @@ public:
   {
     const Patch& patch = *match.patch;
     const Plan_forecast& chosen = match.chosen;
-    const bool is_whole = chosen.plan.share > whole_share();
+    const bool is_whole = chosen.plan.is_whole();
     Hole_relief result;
     result.heights = match.forecast->heights(chosen.plan);
     result.errors = match.forecast->errors(chosen);
     result.copy.assign(patch.samples().size(), no_index);
-    if(chosen.plan.places == 0 && match.continues_edges)
+    if(match.is_faceted())
     {
       result.facets = match.forecast->facet_points();
       result.is_faceted.assign(patch.samples().size(), 1);
@@ -327,9 +334,6 @@ private:
   // A copy must promise to be better by this factor, because a smooth patch is never absurd.
   static double copy_margin() { return 0.92; }
 
-  // A larger share of a copy is carried as a whole copy: the rest, a tenth of the smooth continuation, could but blunt it.
-  static double whole_share() { return 0.9; }
-
   // In spacings: on a plane both are exact, and the last bits must not decide.
   static double rounding() { return 1e-6; }
 
@@ -372,7 +376,7 @@ private:
       text << "copied from " << chosen.plan.places << (chosen.plan.places == 1 ? " place" : " places") << ", share "
            << chosen.plan.share << ": forecast " << chosen.error / spacing << " spacings, smooth "
            << match.smooth.error / spacing;
-    if(chosen.plan.places == 0 && match.continues_edges)
+    if(match.is_faceted())
       text << "; sharp edges go on until they meet";
     if(replaced > 0)
       text << "; finer levels copied " << replaced << (replaced == 1 ? " piece" : " pieces");
