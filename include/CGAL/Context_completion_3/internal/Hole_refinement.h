@@ -115,13 +115,13 @@ public:
     m_settled_at.assign(m_patch->samples().size(), 0);
     m_tried_at.assign(m_pieces.size(), no_index);
     m_time = 0;
+    m_known_share.clear();
+    for(const Hole_piece& piece : m_pieces)
+      m_known_share.push_back(m_pieces_of.controls(piece, m_settled_by).known_share);
   }
 
   /// Share of the surroundings of a piece that is known or settled; changes with each insertion.
-  double known_share(const Hole_piece& piece) const
-  {
-    return m_pieces_of.controls(piece, m_settled_by).known_share;
-  }
+  double known_share(const Hole_piece& piece) const { return m_known_share[piece.number]; }
 
   /// Error to expect in a piece as it is.
   double error(const Hole_piece& piece) const
@@ -234,6 +234,7 @@ public:
       if(w > 0.5)
         m_relief.copy[std::size_t(s)] = m_relief.copies.size();
     }
+    update_known_shares(piece);
     if(m_ingredients.coherence)
       m_hints.insert(m_hints.begin(), filling.carried.place);
     if(is_replaced)
@@ -251,6 +252,18 @@ private:
   static double radius(const Patch& patch, std::size_t level)
   {
     return std::ldexp(patch.diameter() / 2, -int(level));
+  }
+
+  // Each step of the loop asks for the shares of all pieces, so they are kept: only those of pieces near the one that
+  // has been settled can be different.
+  void update_known_shares(const Hole_piece& settled)
+  {
+    const auto middle = [&](const Hole_piece& piece) { return m_patch->samples()[piece.middle].position; };
+    // a piece settles samples within its radius, and knows of those within its own and the width around it
+    const double reach = 2 * settled.radius + Hole_pieces<ConcurrencyTag>::width(settled.radius, m_patch->spacing());
+    for(const Hole_piece& piece : m_pieces)
+      if((middle(piece) - middle(settled)).norm() <= 1.001 * reach)
+        m_known_share[piece.number] = m_pieces_of.controls(piece, m_settled_by).known_share;
   }
 
   // No probes inside: fake pieces that were chosen for what the coarser level left would agree on it.
@@ -324,6 +337,7 @@ private:
   std::vector<std::size_t> m_settled_by; // per sample: the piece that filled it on this level, or `no_index`
   std::vector<std::size_t> m_settled_at; // per sample: the insertion that did
   std::vector<std::size_t> m_tried_at;   // per piece: insertions before its last search, or `no_index`
+  std::vector<double> m_known_share;     // per piece
   std::size_t m_time = 0;                // insertions on this level
   Hole_pieces<ConcurrencyTag> m_pieces_of;
   std::vector<Hole_piece> m_pieces;
