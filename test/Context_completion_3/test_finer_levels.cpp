@@ -194,14 +194,62 @@ TEST(Hole_pieces, More_is_known_near_the_rim_and_where_samples_are_settled)
   EXPECT_EQ(pieces_of.controls(*inner, settled_by).known_share, 0.);
 }
 
-TEST(Hole_refinement, A_piece_is_tried_again_when_its_surroundings_have_been_filled)
+Hole_relief flat_relief(const Scene& scene)
 {
-  const Scene scene = plane_scene();
   const std::size_t n = scene.patch->samples().size();
   Hole_relief relief;
   relief.heights = Eigen::VectorXd::Zero(Eigen::Index(n));
   relief.errors = Eigen::VectorXd::Constant(Eigen::Index(n), scene.patch->spacing());
   relief.copy.assign(n, no_index);
+  return relief;
+}
+
+Piece_filling raised(const Scene& scene, const Hole_piece& piece)
+{
+  Piece_filling filling;
+  filling.heights = Eigen::VectorXd::Constant(Eigen::Index(piece.samples.size()), 0.5 * scene.patch->spacing());
+  filling.error = scene.patch->spacing();
+  filling.carried.displacement = Eigen::VectorXd::Zero(Eigen::Index(scene.patch->samples().size()));
+  return filling;
+}
+
+TEST(Hole_refinement, Known_shares_are_those_of_the_samples_settled_so_far)
+{
+  const Scene scene = plane_scene();
+  const Place_search<Tag> search(scene.sources, Search_settings());
+  Hole_refinement<Tag> refinement(scene.model(), search, scene.patch, scene.sampler, {}, flat_relief(scene),
+                                  Ingredients());
+  const Hole_pieces<Tag> pieces_of(*scene.patch, scene.sampler->search());
+  for(std::size_t level : {1, 2})
+  {
+    refinement.begin_level(level);
+    const std::vector<Hole_piece>& pieces = refinement.pieces();
+    ASSERT_GT(pieces.size(), 6u);
+    std::vector<std::size_t> settled_by(scene.patch->samples().size(), no_index);
+    std::size_t changed = 0;
+    for(std::size_t k = 0; k < pieces.size(); k += 3)
+    {
+      std::vector<double> before;
+      for(const Hole_piece& p : pieces)
+        before.push_back(refinement.known_share(p));
+      refinement.insert(pieces[k], raised(scene, pieces[k]));
+      for(std::size_t i = 0; i < pieces[k].samples.size(); ++i)
+        if(pieces[k].weights[i] > 0.5)
+          settled_by[pieces[k].samples[i]] = pieces[k].number;
+      for(const Hole_piece& p : pieces)
+      {
+        EXPECT_EQ(refinement.known_share(p), pieces_of.controls(p, settled_by).known_share);
+        changed += refinement.known_share(p) != before[p.number];
+      }
+    }
+    EXPECT_GT(changed, 3u);
+  }
+}
+
+TEST(Hole_refinement, A_piece_is_tried_again_when_its_surroundings_have_been_filled)
+{
+  const Scene scene = plane_scene();
+  const Hole_relief relief = flat_relief(scene);
   const Place_search<Tag> search(scene.sources, Search_settings());
   Hole_refinement<Tag> refinement(scene.model(), search, scene.patch, scene.sampler, {}, relief, Ingredients());
   refinement.begin_level(1);
@@ -213,14 +261,7 @@ TEST(Hole_refinement, A_piece_is_tried_again_when_its_surroundings_have_been_fil
   ASSERT_NE(tried, nullptr);
   refinement.find(*tried);
   EXPECT_FALSE(refinement.is_open(*tried));
-  const auto fill = [&](const Hole_piece& p)
-  {
-    Piece_filling filling;
-    filling.heights = Eigen::VectorXd::Constant(Eigen::Index(p.samples.size()), 0.5 * scene.patch->spacing());
-    filling.error = scene.patch->spacing();
-    filling.carried.displacement = Eigen::VectorXd::Zero(Eigen::Index(n));
-    EXPECT_TRUE(refinement.insert(p, filling));
-  };
+  const auto fill = [&](const Hole_piece& p) { EXPECT_TRUE(refinement.insert(p, raised(scene, p))); };
   fill(*tried);
   EXPECT_FALSE(refinement.is_open(*tried)) << "its own filling is no news";
   const auto distance = [&](const Hole_piece& p)
