@@ -139,7 +139,7 @@ private:
     Hole hole;
     hole.loops = patch->loops();
     hole.patch = patch;
-    hole.stiff = without_bulge(*patch);
+    hole.stiff = without_bulge(*patch, grouping.is_one_rim(group) ? 0.2 : 0.1);   // not the end of a thin limb
     holes.push_back(hole);
   }
 
@@ -325,10 +325,9 @@ private:
   // Relief that the rim cuts can lead the base up or down, into a bulge, which a stiff base passes between. One that
   // closes the ends of a tube is smaller, too, and no answer; a fragment of a rim may stay alone. \return the stiff base
   // then, otherwise none
-  static std::shared_ptr<const Patch> without_bulge(const Patch& patch)
+  static std::shared_ptr<const Patch> without_bulge(const Patch& patch, double largest_fragment)
   {
     const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
-    const double largest_fragment = 0.2;
     const bool is_torn = stiff->joined_share() < patch.joined_share() - largest_fragment;
     return stiff->is_closed() && !is_torn && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
   }
