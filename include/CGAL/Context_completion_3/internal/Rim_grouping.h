@@ -72,11 +72,13 @@ public:
     return pieces;
   }
 
-  /// Whether some loops are pieces of one rim, over short gaps.
+  /// Whether some loops are pieces of one rim, over short gaps, or too small to be the end of a tube.
   bool is_one_rim(const std::vector<std::size_t>& group) const
   {
     return std::all_of(group.begin(), group.end(), [&](std::size_t l)
-      { return m_rim_of_loop[l] == m_rim_of_loop[group.front()]; });
+    {
+      return m_loops[l].points.size() < fewest_tube_points() || m_rim_of_loop[l] == m_rim_of_loop[group.front()];
+    });
   }
 
   /// Whether some loops together open towards their centre, and more so than to one side, as pieces of a border do.
