@@ -88,8 +88,8 @@ public:
 
   /// Places, their reliefs, the forecasts of all plans, and the choice between them. Where the base of a hole bulges,
   /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base
-  /// that is to be believed wins over all but another such copy. So do facets, which need a base for their forecast alone;
-  /// but where too few places resemble the hole, that the stiff base finds some is no promise.
+  /// that is to be believed wins over all but another such copy. Facets, which need a base for their forecast alone,
+  /// win by that; but where too few places resemble the hole, that the stiff base finds some is no promise.
   Match find(const Detected_hole<ConcurrencyTag>& hole, const Poll& poll) const
   {
     const Match match = find_over(hole.patch, hole.is_end, poll);

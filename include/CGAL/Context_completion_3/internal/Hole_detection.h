@@ -139,7 +139,8 @@ private:
     Hole hole;
     hole.loops = patch->loops();
     hole.patch = patch;
-    hole.stiff = without_bulge(*patch, grouping.is_one_rim(group) ? 0.2 : 0.1);   // not the end of a thin limb
+    // the end of a thin limb is a small share, too, and no fragment
+    hole.stiff = without_bulge(*patch, grouping.is_one_rim(group) ? largest_fragment() : largest_fragment() / 2);
     holes.push_back(hole);
   }
 
@@ -323,12 +324,11 @@ private:
   }
 
   // Relief that the rim cuts can lead the base up or down, into a bulge, which a stiff base passes between. One that
-  // closes the ends of a tube is smaller, too, and no answer; a fragment of a rim may stay alone. \return the stiff base
-  // then, otherwise none
-  static std::shared_ptr<const Patch> without_bulge(const Patch& patch, double largest_fragment)
+  // leaves more than some share of rim points alone is no answer. \return the stiff base then, otherwise none
+  static std::shared_ptr<const Patch> without_bulge(const Patch& patch, double left_alone)
   {
     const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
-    const bool is_torn = stiff->joined_share() < patch.joined_share() - largest_fragment;
+    const bool is_torn = stiff->joined_share() < patch.joined_share() - left_alone;
     return stiff->is_closed() && !is_torn && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
   }
 
@@ -338,14 +338,13 @@ private:
   std::shared_ptr<const Patch> base_of_broken_rim(const std::vector<Rim_loop>& loops, const Grouping& grouping,
                                                   std::size_t l, std::vector<std::size_t>& group) const
   {
-    const double least_joined_share = 0.8;    // fragments beside a rim, where few points are missing, may stay alone
     for(bool is_stiff : { false, true })
     {
       group = grouping.pieces_of_rim(l);
       if(group.size() < 2 || !grouping.surrounds_hole(group))
         break;
       const auto patch = closed_base(loops, grouping, group, is_stiff);
-      if(patch && patch->joined_share() >= least_joined_share && is_evident(*patch))
+      if(patch && patch->joined_share() >= 1 - largest_fragment() && is_evident(*patch))
         return patch;
     }
     group.assign(1, l);
@@ -371,6 +370,8 @@ private:
   }
 
   static std::size_t most_fragments() { return 4; }
+  // share of rim points; where few points are missing beside a rim, fragments may stay alone
+  static double largest_fragment() { return 0.2; }
 
   // A base over the end of a tube, whose rim opens neither to its centre nor away from it; otherwise none.
   std::shared_ptr<const Patch> cap(const std::vector<Rim_loop>& loops, const Grouping& grouping, std::size_t l) const
