@@ -172,6 +172,37 @@ TEST(Overlap_alignment, Recovers_a_motion_from_other_samples_of_the_surface)
   EXPECT_LT(largest_difference(found, expected, original), 0.1);
 }
 
+// Tangent planes lie all on one side of a bulge, and would lift what is fitted to them.
+TEST(Overlap_alignment, Points_between_those_of_a_bulge_do_not_lift_it)
+{
+  const auto height = [](double x, double y) { return -(x - 24) * (x - 24) / 20 - (y - 24) * (y - 24) / 12; };
+  const auto slope = [](double x, double y) { return std::make_pair(-(x - 24) / 10, -(y - 24) / 6); };
+  const Surface_points points = samples::engine_points(samples::graph(48, 1., height, slope, 0.3, 1));
+  const Surface_points others = samples::engine_points(samples::graph(48, 1., height, slope, 0.3, 2));
+  std::vector<Vector> original;
+  const std::vector<Match_probe> probes = ring(others, Motion(), original);
+  const Motion found = Overlap_alignment<Tag>(Model(points), nullptr).align(probes, Motion(), 3., 1.5, 20, 20);
+  double lift = 0;
+  for(const Vector& x : original)
+    lift += (found(x) - x).z() / double(original.size());
+  EXPECT_LT(std::abs(lift), 1e-4);
+}
+
+TEST(Overlap_alignment, Pairs_across_edges_do_not_move_a_pyramid)
+{
+  const auto height = [](double x, double y) { return -0.4 * (std::max)(std::abs(x - 24), std::abs(y - 24)); };
+  const auto slope = [](double x, double y) {
+    return std::abs(x - 24) > std::abs(y - 24) ? std::make_pair(x < 24 ? 0.4 : -0.4, 0.)
+                                               : std::make_pair(0., y < 24 ? 0.4 : -0.4); };
+  const Surface_points points = samples::engine_points(samples::graph(48, 1., height, slope, 0.3, 1));
+  const Surface_points others = samples::engine_points(samples::graph(48, 1., height, slope, 0.3, 2));
+  const Motion expected = Motion().moved(Vector(0.01, -0.02, 0.03), Vector(0.2, -0.1, 0.2), Vector(24, 24, 0));
+  std::vector<Vector> original;
+  const std::vector<Match_probe> probes = ring(others, expected, original);
+  const Motion found = Overlap_alignment<Tag>(Model(points), nullptr).align(probes, Motion(), 3., 1.5, 20, 20);
+  EXPECT_LT(largest_difference(found, expected, original), 1e-6);
+}
+
 TEST(Overlap_alignment, Nothing_near_scores_worst_and_stays)
 {
   const Surface_points points = samples::engine_points(samples::plane(20));

@@ -402,8 +402,8 @@ Edged_surface plate(double half_thickness, double radius)
 TEST(Sharp_edges, where_the_corner_of_a_plate_is_cut_off_its_sides_go_on_until_they_meet)
 {
   // The rim goes around the plate. Over the thin one an interpolating base bulges, and part of a copy is promised to be
-  // better than edges there; over the second one a stiff base closes each side; the others are the ends of tubes.
-  const std::pair<double, double> plates[] = { { 3, 7 }, { 4, 10 }, { 4, 9 }, { 4, 12 } };
+  // better than edges there; over the next two a stiff base closes each side; the others are the ends of tubes.
+  const std::pair<double, double> plates[] = { { 3, 7 }, { 4, 10 }, { 5, 10 }, { 4, 9 }, { 4, 12 } };
   for(const std::pair<double, double>& p : plates)
   {
     SCOPED_TRACE(testing::Message() << "half as thick as " << p.first << ", radius " << p.second);

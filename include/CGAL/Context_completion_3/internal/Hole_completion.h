@@ -88,8 +88,8 @@ public:
 
   /// Places, their reliefs, the forecasts of all plans, and the choice between them. Where the base of a hole bulges,
   /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base
-  /// that is to be believed wins over all but another such copy. Facets, which need a base for their forecast alone,
-  /// win by that; but where too few places resemble the hole, that the stiff base finds some is no promise.
+  /// that is to be believed wins over all but another such copy and facets. These need a base for their forecast alone,
+  /// and win by that; but where too few places resemble the hole, that the stiff base finds some is no promise.
   Match find(const Detected_hole<ConcurrencyTag>& hole, const Poll& poll) const
   {
     const Match match = find_over(hole.patch, hole.is_end, poll);
@@ -98,7 +98,7 @@ public:
     const Match stiff = find_over(hole.stiff, hole.is_end, poll);
     const bool is_surer = stiff.chosen.error < match.chosen.error;
     if(stiff.chosen.belief() > 0)
-      return match.chosen.belief() == 0 || is_surer ? stiff : match;
+      return is_surer || (match.chosen.belief() == 0 && !match.is_faceted()) ? stiff : match;
     return stiff.is_faceted() && match.has_fake_holes && is_surer ? stiff : match;
   }
 

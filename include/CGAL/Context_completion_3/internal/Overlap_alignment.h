@@ -57,7 +57,7 @@ struct Match_weights
 };
 
 /*!
-  Score and alignment of motions on the known overlap around a hole (paper, section 7.1, with point-to-plane distances:
+  Score and alignment of motions on the known overlap around a hole (paper, section 7.1, with distances to planes:
   closest points let a patch drift along the surface).
 */
 template <typename ConcurrencyTag>
@@ -109,8 +109,15 @@ public:
   /*!
     Point-to-plane ICP from `motion`; the correspondence cut shrinks as max(smallest, first * 0.7^i).
     The system is damped, so that a symmetric overlap (sphere, plane) does not let the patch slide.
+
+    \param fine_steps number of further steps, for what is nearly right. Distances are along the mean of the normals of a
+    probe and of its nearest source point ("A symmetric objective function for ICP", Rusinkiewicz, SIGGRAPH 2019): between
+    points of one sphere or cylinder they are zero, where the distance to the tangent plane of either is not. And far
+    pairs weigh less (Huber): across an edge no distance is right, and where all others are zero such pairs must not
+    move the patch. Before, they are what brings a few bumps on a plane together.
   */
-  Motion align(const std::vector<Match_probe>& probes, Motion motion, double first, double smallest, int steps) const
+  Motion align(const std::vector<Match_probe>& probes, Motion motion, double first, double smallest, int steps,
+               int fine_steps = 0) const
   {
     Vector pivot = Vector::Zero();
     double total = 0, extent = 0;
@@ -126,39 +133,35 @@ public:
       extent = (std::max)(extent, (p.position - pivot).norm());
     if(extent <= 0)
       return motion;
+    std::vector<Correspondence> pairs;
     double cut = first;
-    for(int step = 0; step < steps; ++step, cut *= 0.7)
+    for(int step = 0; step < steps + fine_steps; ++step, cut *= 0.7)
     {
       const double reach = (std::max)(smallest, cut);
-      Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
-      Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
+      find_pairs(probes, motion, reach, step >= steps, pairs);
       double used = 0;
-      for(const Match_probe& p : probes)
-      {
-        const Vector y = motion.inverse(p.position);
-        const std::size_t s = nearest(y, reach);
-        if(s == m_source.size())
-          continue;
-        const Vector n = motion.normal(m_source.normal(s));
-        const double agreement = n.dot(p.normal);
-        const double d = n.dot(p.position - motion(m_source.position(s)));
-        if(agreement < 0.3 || std::abs(d) > reach)
-          continue;
-        Eigen::Matrix<double, 6, 1> row;
-        row.head<3>() = ((p.position - pivot) / extent).cross(n);
-        row.tail<3>() = n;
-        const double w = p.weight * agreement;
-        a.noalias() += w * row * row.transpose();
-        b += w * d * row;
-        used += w;
-      }
+      for(const Correspondence& c : pairs)
+        used += c.weight;
       if(used < 0.1 * total)
         return motion;
+      if(step >= steps)
+        reduce_weights_of_far_pairs(pairs, 1e-9 * reach);
+      Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
+      Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
+      used = 0;
+      for(const Correspondence& c : pairs)
+      {
+        Eigen::Matrix<double, 6, 1> row;
+        row << ((c.position - pivot) / extent).cross(c.direction), c.direction;
+        a.noalias() += c.weight * row * row.transpose();
+        b += c.weight * c.distance * row;
+        used += c.weight;
+      }
       a.diagonal().array() += 1e-3 * used;
       const Eigen::Matrix<double, 6, 1> x = a.ldlt().solve(b);
       if(!x.allFinite())
         return motion;
-      motion = motion.moved(x.head<3>() / extent, x.tail<3>(), pivot);
+      motion = motion.moved(x.template head<3>() / extent, x.template tail<3>(), pivot);
     }
     return motion;
   }
@@ -179,6 +182,52 @@ public:
   }
 
 private:
+  // A probe and the source point nearest to it.
+  struct Correspondence
+  {
+    Vector position;                     // of the probe
+    Vector direction;                    // along which the distance is measured
+    double distance = 0;
+    double weight = 0;
+  };
+
+  void find_pairs(const std::vector<Match_probe>& probes, const Motion& motion, double reach, bool is_symmetric,
+                  std::vector<Correspondence>& pairs) const
+  {
+    pairs.clear();
+    for(const Match_probe& p : probes)
+    {
+      const std::size_t s = nearest(motion.inverse(p.position), reach);
+      if(s == m_source.size())
+        continue;
+      const Vector normal = motion.normal(m_source.normal(s));
+      const double agreement = normal.dot(p.normal);
+      if(agreement < 0.3)
+        continue;
+      Correspondence pair;
+      pair.position = p.position;
+      pair.direction = is_symmetric ? Vector((normal + p.normal).normalized()) : normal;
+      pair.distance = pair.direction.dot(p.position - motion(m_source.position(s)));
+      pair.weight = p.weight * agreement;
+      if(std::abs(pair.distance) <= reach)
+        pairs.push_back(pair);
+    }
+  }
+
+  // Far is what is beyond twice the median.
+  static void reduce_weights_of_far_pairs(std::vector<Correspondence>& pairs, double least)
+  {
+    std::vector<double> distances;
+    for(const Correspondence& c : pairs)
+      distances.push_back(std::abs(c.distance));
+    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    const double far = 2 * *middle + least;
+    for(Correspondence& c : pairs)
+      if(std::abs(c.distance) > far)
+        c.weight *= far / std::abs(c.distance);
+  }
+
   const Model& m_source;
   const Nearest_point_grid* m_grid;
 };

@@ -144,7 +144,7 @@ private:
     for_each_index<ConcurrencyTag>(places.size(), [&](std::size_t i)
     {
       const Motion motion = m_settings.alignment
-        ? exact.align(target.overlap, places[i].motion, weights.tau, 1.5 * target.spacing, 8) : places[i].motion;
+        ? exact.align(target.overlap, places[i].motion, weights.tau, 1.5 * target.spacing, 8, 5) : places[i].motion;
       places[i] = place(s, target, motion, exact_score(model, target, motion));
     });
     found.insert(found.end(), places.begin(), places.end());
