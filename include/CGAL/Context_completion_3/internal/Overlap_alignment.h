@@ -114,7 +114,7 @@ public:
     probe and of its nearest source point ("A symmetric objective function for ICP", Rusinkiewicz, SIGGRAPH 2019): between
     points of one sphere or cylinder they are zero, where the distance to the tangent plane of either is not. And far
     pairs weigh less (Huber): across an edge no distance is right, and where all others are zero such pairs must not
-    move the patch. Before, they are what brings a few bumps on a plane together.
+    move the patch. In the first steps it is far pairs that bring a few bumps on a plane together.
   */
   Motion align(const std::vector<Match_probe>& probes, Motion motion, double first, double smallest, int steps,
                int fine_steps = 0) const
