@@ -222,22 +222,23 @@ private:
     return result;
   }
 
-  // Whether what a copy misses at the rim is real or noise of the local fits there, the fake holes tell.
+  // Whether what a copy misses at the rim goes on into the hole, is partly noise of the local fits there, or nothing but
+  // that, the fake holes tell.
   void choose_warps(const Rim_membrane& membrane, const Eigen::MatrixXd& rim)
   {
-    const auto use = [&](const typename Warps::Spread& spread)
-      { m_warps = Warps(m_statistics, rim, most_places, spread); };
-    if(!m_ingredients.warp)
-      return use([&](const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::VectorXd::Zero(m_smooth.rows()); });
-    const auto interpolate = [&](const Eigen::VectorXd& missed) { return membrane.interpolated(missed); };
-    if(!m_ingredients.fake_holes || !Warps::is_missed_alike(m_statistics, rim, smallest_error() * m_patch.spacing()))
-      return use(interpolate);
-    use([&](const Eigen::VectorXd& missed) { return membrane.smoothed(missed); });
-    const double smoothed_loss = loss_of_whole_copies();
-    const Warps smoothed = std::move(m_warps);
-    use(interpolate);
-    if(smoothed_loss < loss_of_whole_copies())
-      m_warps = smoothed;
+    std::vector<typename Warps::Spread> spreads;
+    if(m_ingredients.warp)
+      spreads.push_back([&](const Eigen::VectorXd& missed) { return membrane.interpolated(missed); });
+    if(m_ingredients.warp && m_ingredients.fake_holes
+       && Warps::is_missed_alike(m_statistics, rim, smallest_error() * m_patch.spacing()))
+      spreads.push_back([&](const Eigen::VectorXd& missed) { return membrane.smoothed(missed); });
+    if(spreads.size() != 1)
+      spreads.push_back([&](const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::VectorXd::Zero(m_smooth.rows()); });
+    m_warps = Warps::of_least_loss(m_statistics, rim, most_places, spreads, [&](const Warps& warps)
+    {
+      m_warps = warps;
+      return loss_of_whole_copies();
+    });
   }
 
   // Mean logarithm over the fake holes of an error there: one that is quite different must not decide.

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,6 +57,28 @@ public:
       for(std::size_t r = 0; r < order.size() && r < number; ++r)
         m_warps[std::size_t(k)].push_back(spread(rim.col(k) - rim.col(Eigen::Index(order[r]))));
     });
+  }
+
+  /// Those by one of several spreads; of two that are as good, by the first.
+  /// \param loss what copies lose with some warps
+  static Rim_warps of_least_loss(const Fake_hole_statistics& statistics, const Eigen::MatrixXd& rim, std::size_t number,
+                                 const std::vector<Spread>& spreads, const std::function<double(const Rim_warps&)>& loss)
+  {
+    Rim_warps best(statistics, rim, number, spreads.front());
+    if(spreads.size() == 1)
+      return best;
+    double least = loss(best);
+    for(std::size_t i = 1; i < spreads.size(); ++i)
+    {
+      Rim_warps other(statistics, rim, number, spreads[i]);
+      const double other_loss = loss(other);
+      if(other_loss < least)
+      {
+        least = other_loss;
+        best = std::move(other);
+      }
+    }
+    return best;
   }
 
   /// Of place `j`, which is among the best ones of `k`, there.
