@@ -203,6 +203,16 @@ public:
     return std::vector<double>(std::size_t(m_learned.misses.cols()), 1 / double(m_learned.misses.cols()));
   }
 
+  /// The same for the texture of the hole: less where the surroundings of a fake hole are smoother or rougher than those
+  /// of the hole. The sum is below 1, and the smaller, the less the fake holes are like it.
+  std::vector<double> weights_by_roughness(const Filling_plan& plan) const
+  {
+    std::vector<double> result = weights_of_misses(plan);
+    for(std::size_t i = 0; i < result.size() && !is_learned(plan); ++i)
+      result[i] *= std::exp(-0.5 * std::pow(std::log(relative_roughness(m_statistics.judges()[i])) / 0.4, 2));
+    return result;
+  }
+
 private:
   static constexpr std::size_t most_places = 8;        // of a plan
 
@@ -339,6 +349,13 @@ private:
     m_statistics.extrapolate(errors, [&](std::size_t k) {
       return places > 0 ? m_statistics.copy_predictor(places, k)
                         : std::log(0.02 * m_patch.spacing() + m_roughness[m_statistics.column(k)]); }, forecast);
+  }
+
+  // of the surroundings of place `k`, to those of the hole
+  double relative_roughness(std::size_t k) const
+  {
+    const double smallest = smallest_error() * m_patch.spacing();
+    return (m_roughness[m_statistics.column(k)] + smallest) / (m_roughness[m_statistics.column(target)] + smallest);
   }
 
   double fake_error(const Filling_plan& plan, std::size_t k) const { return error(predict(plan, k), k); }

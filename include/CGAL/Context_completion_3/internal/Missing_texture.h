@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,9 +58,11 @@ public:
     const Eigen::MatrixXd missing = fine_variances(forecast.misses(plan)),
                           relief = fine_variances(forecast.misses(Filling_plan()));
     m_deviation = Eigen::VectorXd::Zero(missing.rows());
-    if(missing.cols() == 0)
+    const std::vector<double> weights = forecast.weights_by_roughness(plan);
+    // around nearly all of them it is rougher or smoother than around the hole: they do not tell its texture
+    if(missing.cols() == 0 || std::accumulate(weights.begin(), weights.end(), 0.) < least_weight())
       return;
-    const std::vector<std::pair<double, double> > judged = weighted(forecast.weights_of_misses(plan));
+    const std::vector<std::pair<double, double> > judged = weighted(weights);
     std::vector<std::pair<double, double> > variances;
     for(Eigen::Index s = 0; s < missing.rows(); ++s)
     {
@@ -73,7 +76,7 @@ public:
       if(fade == 1)
         m_inner.push_back(s);
     }
-    std::vector<std::pair<double, double> > roughnesses = weighted(forecast.weights_of_misses(Filling_plan()));
+    std::vector<std::pair<double, double> > roughnesses = weighted(forecast.weights_by_roughness(Filling_plan()));
     for(std::size_t k = 0; k < roughnesses.size(); ++k)
       roughnesses[k].first = roughness(relief.col(Eigen::Index(k)));
     m_roughness = weighted_quantile(roughnesses, 0.5);
@@ -115,14 +118,17 @@ public:
   }
 
 private:
-  // values, which are yet to be set, with weights
+  // values, which are yet to be set, with weights of sum 1
   static std::vector<std::pair<double, double> > weighted(const std::vector<double>& weights)
   {
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
     std::vector<std::pair<double, double> > result;
     for(double w : weights)
-      result.emplace_back(0., w);
+      result.emplace_back(0., w / sum);
     return result;
   }
+
+  static double least_weight() { return 0.3; }
 
   static double largest_gain() { return 1.75; }
 
