@@ -18,7 +18,6 @@
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
-#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Learned_continuation.h>
 #include <CGAL/Context_completion_3/internal/Place_facets.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
@@ -33,7 +32,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -86,7 +84,8 @@ public:
     m_smooth = choice.heights();
     m_sector_error = choice.sector_error();
     if(facets != nullptr)
-      choose_facets(*facets, places);
+      m_facet_points = facets->take_over(m_smooth, places, m_statistics, ingredients.fake_holes,
+                                         [&](const Eigen::MatrixXd& heights) { return loss(heights); });
     choose_warps(family.membrane(), family.rim_values(rim));
   }
 
@@ -274,31 +273,6 @@ private:
 
   // the heights of place `j`, which is among the best ones of `k`, there
   Eigen::VectorXd carried(std::size_t k, std::size_t j) const { return m_reliefs[j].height + m_warps.of(m_statistics, k, j); }
-
-  // Where edges go into the hole, facets that go on until they meet take the place of the smooth base, if they do better
-  // on the fake holes. Without those there is nothing to learn from but the surroundings, which they explain.
-  void choose_facets(const Place_facets<ConcurrencyTag>& facets, const std::vector<Place>& places)
-  {
-    Surface_points points = facets.own_points();
-    if(points.size() == 0)
-      return;
-    Eigen::MatrixXd faceted = m_smooth;
-    if(m_statistics.is_sufficient() && m_ingredients.fake_holes)
-    {
-      const std::vector<std::size_t>& judges = m_statistics.judges();
-      for_each_index<ConcurrencyTag>(judges.size(), [&](std::size_t i)
-      {
-        const Eigen::Index column = m_statistics.column(judges[i]);
-        faceted.col(column) = facets.heights(places[judges[i]], m_smooth.col(column));
-      });
-      if(!(loss(faceted) < loss(m_smooth)))
-        return;
-    }
-    const Eigen::Index own = m_statistics.column(target);
-    faceted.col(own) = facets.own_heights(m_smooth.col(own));
-    m_smooth.swap(faceted);
-    m_facet_points = std::move(points);
-  }
 
   // A copy that is to be believed and the smooth base cannot both be right where they differ. A feature that the rim
   // does not show is known from its twin alone; the smooth base did well on fake holes without one. And twins that

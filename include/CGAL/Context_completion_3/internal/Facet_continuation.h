@@ -151,6 +151,7 @@ private:
     for(std::size_t f = 0; f < all.size(); ++f)
       at_rim.emplace_back(0, f);
     std::size_t steps = 0;
+    std::vector<char> is_at_edge(points.size(), 0), is_near(points.size(), 0);
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       const std::size_t f = m_segmentation.facet_of(i);
@@ -160,12 +161,16 @@ private:
         ++at_rim[f].first;
       if(distance[i] > (std::max)(5 * spacing, 0.4 * scale))
         continue;
+      is_near[i] = 1;
       for(std::size_t j : m_segmentation.links(i))
       {
         const std::size_t g = m_segmentation.facet_of(j);
         if(j < i && g != f && g != Facet_segmentation::none &&
            all[f].normal(points.position[i]).dot(all[g].normal(points.position[j])) < 0.85)
+        {
           ++steps;
+          is_at_edge[i] = is_at_edge[j] = 1;
+        }
       }
     }
     std::sort(at_rim.begin(), at_rim.end(), [](const std::pair<std::size_t, std::size_t>& a,
@@ -174,7 +179,24 @@ private:
     for(const std::pair<std::size_t, std::size_t>& f : at_rim)
       if(f.first >= 3 && m_facets.size() < most_facets())
         m_facets.push_back(all[f.second]);
-    m_is_sharp = steps >= 4 && m_facets.size() >= 2;
+    m_is_sharp = steps >= 4 && m_facets.size() >= 2 && !are_folds(points, is_near, is_at_edge);
+  }
+
+  // Normals turn before a fold, and stay those of the facet up to an edge.
+  bool are_folds(const Surface_points& points, const std::vector<char>& is_near, const std::vector<char>& is_at_edge) const
+  {
+    std::vector<double> turned[2];
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(is_near[i])
+      {
+        const Facet& facet = m_segmentation.facets()[m_segmentation.facet_of(i)];
+        turned[std::size_t(is_at_edge[i])].push_back((facet.normal(points.position[i]) - points.normal[i]).norm());
+      }
+    if(turned[0].empty() || turned[1].empty())
+      return false;
+    for(std::vector<double>& t : turned)
+      std::nth_element(t.begin(), t.begin() + std::ptrdiff_t(t.size() / 2), t.end());
+    return turned[1][turned[1].size() / 2] > 2.5 * turned[0][turned[0].size() / 2] + 0.04;
   }
 
   void vote(const Surface_points& points, const std::vector<double>& distance, double spacing, double scale)

@@ -17,6 +17,8 @@
 #include <CGAL/Context_completion_3/internal/Example_source.h>
 #include <CGAL/Context_completion_3/internal/Facet_continuation.h>
 #include <CGAL/Context_completion_3/internal/Facet_sampling.h>
+#include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Place.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
@@ -26,6 +28,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -97,6 +100,39 @@ public:
       distance.push_back(m_distance[nearest.first]);
     }
     return heights(Facet_continuation(points, distance, m_patch.area_spacing(), m_patch.scale()), guess);
+  }
+
+  /*!
+    Where edges go into the hole, facets that go on until they meet take the place of the smooth base, if they do better on
+    the fake holes. Without those there is nothing to learn from but the surroundings, which they explain.
+    \param smooth heights of the base, a column per place, that of the hole last
+    \param are_fake_holes_asked whether fake holes are to decide
+    \param loss what is lost on the fake holes with some heights
+    \return points on the facets; none if the base stays
+  */
+  Surface_points take_over(Eigen::MatrixXd& smooth, const std::vector<Place>& places,
+                           const Fake_hole_statistics& statistics, bool are_fake_holes_asked,
+                           const std::function<double(const Eigen::MatrixXd&)>& loss) const
+  {
+    Surface_points points = own_points();
+    if(points.size() == 0)
+      return points;
+    Eigen::MatrixXd faceted = smooth;
+    if(statistics.is_sufficient() && are_fake_holes_asked)
+    {
+      const std::vector<std::size_t>& judges = statistics.judges();
+      for_each_index<ConcurrencyTag>(judges.size(), [&](std::size_t i)
+      {
+        const Eigen::Index column = statistics.column(judges[i]);
+        faceted.col(column) = heights(places[judges[i]], smooth.col(column));
+      });
+      if(!(loss(faceted) < loss(smooth)))
+        return Surface_points();
+    }
+    const Eigen::Index own = statistics.column(Fake_hole_statistics::target);
+    faceted.col(own) = own_heights(smooth.col(own));
+    smooth.swap(faceted);
+    return points;
   }
 
 private:
