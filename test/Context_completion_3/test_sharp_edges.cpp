@@ -348,6 +348,31 @@ TEST(Sharp_edges, folds_of_a_free_form_are_no_edges)
   EXPECT_FALSE(Facet_continuation(surface.known, distances_to_rim(surface, 8), 1.1, 8).is_sharp());
 }
 
+// Two slopes that meet at a ridge, which is rounded over some width.
+bool has_sharp_ridge(double slope, double width)
+{
+  const samples::Samples roof = samples::graph(48, 1.,
+    [=](double x, double) { return -slope * std::hypot(width, x - 24); },
+    [=](double x, double) { return std::make_pair(-slope * (x - 24) / std::hypot(width, x - 24, 1e-6), 0.); });
+  const Vector middle(24, 24, -slope * width);
+  const Surface_points known = samples::engine_points(samples::without_ball(roof, samples::Point(24, 24, middle.z()), 8.));
+  std::vector<double> distance;
+  for(const Vector& p : known.position)
+    distance.push_back((std::max)(0., (p - middle).norm() - 8));
+  return Facet_continuation(known, distance, 1.1, 8).is_sharp();
+}
+
+TEST(Sharp_edges, a_ridge_that_is_rounded_over_a_spacing_is_a_fold)
+{
+  for(double slope : { 0.5, 1.2 })
+  {
+    SCOPED_TRACE(slope);
+    EXPECT_TRUE(has_sharp_ridge(slope, 0));
+    EXPECT_TRUE(has_sharp_ridge(slope, 0.3));
+    EXPECT_FALSE(has_sharp_ridge(slope, 1));
+  }
+}
+
 // How far the default is from the truth: mean distance, and share of normals that lean by more than 14 degrees.
 struct Deviation
 {
