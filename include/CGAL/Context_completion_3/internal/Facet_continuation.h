@@ -182,7 +182,7 @@ private:
     m_is_sharp = steps >= 4 && m_facets.size() >= 2 && !are_folds(points, is_near, is_at_edge);
   }
 
-  // Normals turn before a fold, and stay those of the facet up to an edge.
+  // Normals turn before a fold, by clearly more than they scatter elsewhere, and stay those of the facet up to an edge.
   bool are_folds(const Surface_points& points, const std::vector<char>& is_near, const std::vector<char>& is_at_edge) const
   {
     std::vector<double> turned[2];

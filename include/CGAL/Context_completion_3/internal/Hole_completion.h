@@ -344,7 +344,7 @@ private:
     const std::size_t most = 8;
     const std::vector<std::size_t>& ranking = match.forecast->ranking();
     const Missing_texture<ConcurrencyTag> missing(m_known, patch, *match.sampler, *match.forecast, match.chosen.plan);
-    for(std::size_t r = 0; r < ranking.size() && r < (place != nullptr ? 1 : most); ++r)
+    for(std::size_t r = 0; missing.is_known() && r < ranking.size() && r < (place != nullptr ? 1 : most); ++r)
     {
       const Place_relief& relief = match.reliefs[ranking[r]];
       if(relief.coverage < 0.9)

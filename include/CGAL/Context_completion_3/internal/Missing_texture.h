@@ -55,13 +55,13 @@ public:
                   const Copy_forecast<ConcurrencyTag>& forecast, const Filling_plan& plan)
     : m_sampler(sampler), m_spacing(patch.spacing()), m_smooth(forecast.heights(Filling_plan()))
   {
-    const Eigen::MatrixXd missing = fine_variances(forecast.misses(plan)),
-                          relief = fine_variances(forecast.misses(Filling_plan()));
-    m_deviation = Eigen::VectorXd::Zero(missing.rows());
+    m_deviation = Eigen::VectorXd::Zero(m_smooth.size());
     const std::vector<double> weights = forecast.weights_by_roughness(plan);
     // around nearly all of them it is rougher or smoother than around the hole: they do not tell its texture
-    if(missing.cols() == 0 || std::accumulate(weights.begin(), weights.end(), 0.) < least_weight())
+    if(std::accumulate(weights.begin(), weights.end(), 0.) < least_weight())
       return;
+    const Eigen::MatrixXd missing = fine_variances(forecast.misses(plan)),
+                          relief = fine_variances(forecast.misses(Filling_plan()));
     const std::vector<std::pair<double, double> > judged = weighted(weights);
     std::vector<std::pair<double, double> > variances;
     for(Eigen::Index s = 0; s < missing.rows(); ++s)
@@ -81,6 +81,9 @@ public:
       roughnesses[k].first = roughness(relief.col(Eigen::Index(k)));
     m_roughness = weighted_quantile(roughnesses, 0.5);
   }
+
+  /// Whether there are fake holes that tell of a texture.
+  bool is_known() const { return m_roughness > 0; }
 
   /*!
     The texture of a place, so strong that the hole gets the roughness of the fake holes.
