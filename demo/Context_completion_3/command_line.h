@@ -148,7 +148,7 @@ inline po::options_description visible_options()
     ("hole-box", text("x0,y0,z0,x1,y1,z1"), "a hole, found or not: fill what is open in this box (repeatable)")
     ("exclude-box", text("x0,y0,z0,x1,y1,z1"), "never fill in this box (repeatable)");
   normals.add_options()
-    ("ignore-faces", "of a mesh: neither normals nor the absence of holes are taken from its faces")
+    ("ignore-faces", "of a mesh: neither normals nor holes are taken from its faces")
     ("estimate-normals", text("K"), "from K nearest points (6 to 1000; 18 is a good start)");
   method.add_options()
     ("nearest", "where detail is random: nearest in distance, not true in texture")

@@ -13,6 +13,7 @@
 
 #include "completion_run.h"
 #include "failure.h"
+#include "mesh_borders.h"
 #include "mesh_faces.h"
 
 #include <CGAL/Context_completion_3.h>
@@ -45,9 +46,10 @@ struct Stage_visitor : CGAL::Context_completions_3::Default_completion_visitor
 };
 
 // What has no neutral value is a parameter only if it was given.
-std::unique_ptr<Completion> make_completion(const Options& options, const Point_set& points,
+std::unique_ptr<Completion> make_completion(const Options& options, const Point_file& file,
                                             const std::vector<Point_set>& examples)
 {
+  const std::vector<std::vector<std::size_t> > rims = rims_of_holes(file);
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<CGAL::Bbox_3> boxes = options.boxes, excluded_boxes = options.excluded_boxes;
   if(boxes.empty())
@@ -56,7 +58,7 @@ std::unique_ptr<Completion> make_completion(const Options& options, const Point_
     excluded_boxes.emplace_back(infinity, infinity, infinity, infinity, infinity, infinity);
 
   std::unique_ptr<Completion> completion;
-  const auto make = [&](const auto& np) { completion = std::make_unique<Completion>(points, np); };
+  const auto make = [&](const auto& np) { completion = std::make_unique<Completion>(file.points, np); };
   const auto make_with_tolerance = [&](const auto& np)
   {
     if(options.tolerance > 0)
@@ -67,6 +69,7 @@ std::unique_ptr<Completion> make_completion(const Options& options, const Point_
   const auto np = combine(parameters::regions(std::cref(boxes)),
                           parameters::excluded_regions(std::cref(excluded_boxes)),
                           parameters::user_holes(std::cref(options.user_holes)),
+                          parameters::known_rims(std::cref(rims)),
                           parameters::example_point_sets(std::cref(examples)),
                           parameters::minimum_hole_diameter(options.minimum_diameter),
                           parameters::maximum_hole_diameter(
@@ -111,7 +114,7 @@ std::unique_ptr<Completion> detect(const Options& options, const Point_file& fil
                                    std::vector<char>& is_covered)
 {
   bar.start("finding holes");
-  std::unique_ptr<Completion> completion = make_completion(options, file.points, examples);
+  std::unique_ptr<Completion> completion = make_completion(options, file, examples);
   completion->detect_holes(parameters::callback(bar.callback()));
   throw_if_cancelled(*completion);
   const std::size_t number = completion->holes().size();

@@ -118,7 +118,7 @@ public:
     namespace internal = Context_completions_3::internal;
     internal::Converted_input input = internal::convert_input(points, np, std::string());
     const internal::Engine_parameters settings =
-      internal::read_parameters(points, np, input.frame, m_example_indices);
+      internal::read_parameters(points, np, input.frame, input.index, m_example_indices);
     const auto& indices = parameters::get_parameter_reference(np, internal::own_np::hole_indices);
     if constexpr(internal::is_given<decltype(indices)>())
     {

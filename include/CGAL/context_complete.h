@@ -133,6 +133,18 @@ namespace CGAL {
                        whose centres lie in a box are one hole. Bounds may be infinite.}
     \cgalParamNEnd
 
+    \cgalParamNBegin{known_rims}
+      \cgalParamDescription{rims of holes that are known, as the border cycles of a mesh of the points: each the
+                            points around one hole, one after the other in either direction. Within each there is a
+                            hole, whether it was found or not, unless it is an outer border or too small for a point.}
+      \cgalParamType{a model of `ConstRange` whose value type is a model of `ConstRange` with an integer value type:
+                     indices of the points as in `Context_completions_3::Hole_3::loops`}
+      \cgalParamDefault{no rim}
+      \cgalParamExtra{A diameter out of bounds and regions leave such a hole open as they do others. Less than three
+                      points, an unknown one and one that is named twice are errors. The policies of the paper do not
+                      look at it.}
+    \cgalParamNEnd
+
     \cgalParamNBegin{example_mask}
       \cgalParamDescription{a property map that tells which points of `points` may be copied (paper, section 8)}
       \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the iterator of the point

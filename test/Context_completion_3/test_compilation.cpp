@@ -225,6 +225,7 @@ TEST(Compilation, All_parameters_of_a_point_set)
     combine(points.parameters().callback(callback).visitor(std::ref(visitor)).random_seed(3u),
             parameters::minimum_hole_diameter(1), parameters::maximum_hole_diameter(20.f),
             parameters::regions(regions), parameters::excluded_regions(excluded), parameters::user_holes(regions),
+            parameters::known_rims(std::vector<std::vector<int> >()),
             parameters::example_mask(mask), parameters::example_point_sets(std::cref(examples)),
             parameters::maximum_depth(6), parameters::minimum_cell_points(15u), parameters::tolerance(0.5),
             parameters::number_of_turns(12), parameters::use_mirrors(true), parameters::number_of_candidates(500),

@@ -25,6 +25,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -280,6 +281,50 @@ struct Sphere_mesh
 
   std::vector<Row> rows;
   std::vector<std::vector<std::size_t> > faces;
+};
+
+/// A sheet of squares, with holes where `is_missing(i, j)`, or rolled up to a tube along its first direction.
+struct Sheet_mesh
+{
+  Sheet_mesh(int n, const std::function<bool(int, int)>& is_missing, bool is_tube = false)
+  {
+    std::map<std::array<int, 2>, std::size_t> index;
+    const auto vertex = [&](int i, int j)
+    {
+      const auto found = index.emplace(std::array<int, 2>{ is_tube ? i % n : i, j }, rows.size());
+      if(found.second)
+      {
+        const double angle = 2 * 3.14159265358979 * i / n, radius = n / (2 * 3.14159265358979);
+        Row row;
+        if(is_tube)
+          row.value = { radius * std::cos(angle), radius * std::sin(angle), double(j),
+                        std::cos(angle), std::sin(angle), 0 };
+        else
+          row.value = { double(i), double(j), 0, 0, 0, 1 };
+        rows.push_back(row);
+      }
+      return found.first->second;
+    };
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < n; ++j)
+        if(!is_missing(i, j))
+          faces.push_back({ vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1) });
+  }
+
+  std::string ply() const
+  {
+    std::string text = ply_of(rows), lines;
+    const std::string end = "end_header\n";
+    text.insert(text.find(end), "element face " + std::to_string(faces.size())
+                + "\nproperty list uchar int vertex_indices\n");
+    for(const std::array<std::size_t, 4>& face : faces)
+      lines += "4 " + std::to_string(face[0]) + " " + std::to_string(face[1]) + " " + std::to_string(face[2]) + " "
+               + std::to_string(face[3]) + "\n";
+    return text + lines;
+  }
+
+  std::vector<Row> rows;
+  std::vector<std::array<std::size_t, 4> > faces;
 };
 
 class Program : public testing::Test
@@ -580,6 +625,76 @@ TEST_F(Program, What_the_faces_of_a_mesh_cover_is_no_hole)
   ASSERT_EQ(run(write("damaged.ply", damaged) + " " + path("out.ply")), 0) << err;
   EXPECT_NE(err.find("the faces cannot be read"), std::string::npos) << err;
   EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
+}
+
+// Near each point of the full grid of a sheet there is one of the sheet or an added one.
+void expect_covered(const Sheet_mesh& sheet, std::map<std::string, std::vector<double> > added)
+{
+  int last = 0;
+  for(const Row& row : sheet.rows)
+    last = (std::max)(last, int(row.value[0]));
+  for(int i = 0; i <= last; ++i)
+    for(int j = 0; j <= last; ++j)
+    {
+      double nearest = 100;
+      for(const Row& row : sheet.rows)
+        nearest = (std::min)(nearest, std::hypot(row.value[0] - i, row.value[1] - j));
+      for(std::size_t k = 0; k < added["x"].size(); ++k)
+        nearest = (std::min)(nearest, std::hypot(added["x"][k] - i, added["y"][k] - j));
+      EXPECT_LT(nearest, 1.3) << i << " " << j;
+    }
+}
+
+TEST_F(Program, A_border_within_a_mesh_is_the_rim_of_a_hole)
+{
+  // so near to the outer border that the points alone show one rim
+  const Sheet_mesh sheet(40, [](int i, int j) { return i >= 8 && i < 32 && j >= 2 && j < 8; });
+  const std::string input = write("in.ply", sheet.ply());
+  const auto states = [&](const std::string& options)
+  {
+    std::map<std::string, int> result;
+    EXPECT_EQ(run(input + " --list --json" + options), 0) << err;
+    const nlohmann::json list = nlohmann::json::parse(out);
+    for(const auto& hole : list.at("holes"))
+      ++result[hole.at("state").get<std::string>()];
+    return result;
+  };
+  EXPECT_EQ(states("")["hole"], 1) << err;
+  EXPECT_EQ(states(" --ignore-faces").count("hole"), 0u);
+  EXPECT_EQ(states(" --max-diameter 10").count("hole"), 0u);
+  ASSERT_EQ(run(input + " " + path("out.ply") + " --added " + path("added.ply")), 0) << err;
+  auto added = read_ply(path("added.ply"));
+  expect_covered(sheet, added);
+  for(std::size_t i = 0; i < added["x"].size(); ++i)
+  {
+    EXPECT_GT(added["x"][i], 8);
+    EXPECT_LT(added["x"][i], 32);
+    EXPECT_GT(added["y"][i], 2);
+    EXPECT_LT(added["y"][i], 8);
+  }
+}
+
+TEST_F(Program, The_border_of_a_sheet_and_the_ends_of_a_tube_stay_open)
+{
+  const Sheet_mesh sheet(30, [](int, int) { return false; }), tube(30, [](int, int) { return false; }, true);
+  for(const std::string& text : { sheet.ply(), tube.ply() })
+  {
+    ASSERT_EQ(run(write("in.ply", text) + " " + path("out.ply")), 0) << err;
+    EXPECT_NE(out.find("nothing was added"), std::string::npos) << out;
+  }
+}
+
+TEST_F(Program, Holes_that_touch_in_a_point_have_a_rim_each)
+{
+  const Sheet_mesh sheet(40, [](int i, int j)
+    { return (i >= 8 && i < 20 && j >= 8 && j < 20) || (i >= 20 && i < 32 && j >= 20 && j < 32); });
+  ASSERT_EQ(run(write("in.ply", sheet.ply()) + " " + path("out.ply") + " --added " + path("added.ply")), 0) << err;
+  expect_covered(sheet, read_ply(path("added.ply")));
+  // a face that names a point twice bounds nothing
+  std::string damaged = sheet.ply();
+  const std::size_t at = damaged.rfind('\n', damaged.size() - 2) + 1;
+  damaged.replace(at, std::string::npos, "4 0 1 1 2\n");
+  ASSERT_EQ(run(write("damaged.ply", damaged) + " " + path("out.ply")), 0) << err;
 }
 
 TEST_F(Program, Complete_meshes_come_back_with_nothing_added)

@@ -96,7 +96,8 @@ private:
     m_detected.clear();
     const double share_of_rims = 0.9;
     const Callback of_rims = [&](double fraction) { return !callback || callback(share_of_rims * fraction); };
-    if(!Hole_detection<ConcurrencyTag>(*m_model, m_parameters.user_holes).run(m_detected, of_rims))
+    if(!Hole_detection<ConcurrencyTag>(*m_model, m_parameters.user_holes, m_parameters.known_rims)
+         .run(m_detected, of_rims))
       return false;
     m_map = std::make_unique<Hole_map<ConcurrencyTag> >(m_points, spacing(), m_parameters.maximum_depth,
                                                         m_parameters.minimum_cell_points);

@@ -103,6 +103,7 @@ struct Engine_parameters
   std::vector<Bbox_3> regions;                ///< fill only here (empty: everywhere)
   std::vector<Bbox_3> excluded_regions;       ///< never fill here
   std::vector<Bbox_3> user_holes;             ///< what is open in each is one hole, found or not
+  std::vector<std::vector<std::size_t> > known_rims;   ///< of holes, whether found or not, in order
   std::vector<char> is_example;               ///< per input point (empty: all may serve)
   std::vector<Surface_points> examples;       ///< further example point sets
   std::size_t maximum_depth = 0;              ///< 0: from the spacing

@@ -14,10 +14,10 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
-#include <CGAL/Context_completion_3/internal/Box_set.h>
+#include <CGAL/Context_completion_3/internal/Base_evidence.h>
+#include <CGAL/Context_completion_3/internal/Detected_hole.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
-#include <CGAL/Context_completion_3/internal/Message.h>
-#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Named_holes.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Tube_bridge.h>
@@ -27,37 +27,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
-
-/// An under-sampled place, with the base over it.
-template <typename ConcurrencyTag>
-struct Detected_hole
-{
-  std::vector<Rim_loop> loops;
-  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where no base closes the rim
-  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< another base, where that of `patch` bulges
-  bool is_outer_border = false;
-  bool is_end = false;          ///< of a tube: a hole if a place that closes matches it, an outer border otherwise
-  bool is_named = false;        ///< by the user
-
-  /// Mean of the rim points.
-  Vector center() const
-  {
-    Vector sum = Vector::Zero();
-    std::size_t number = 0;
-    for(const Rim_loop& loop : loops)
-    {
-      sum += double(loop.points.size()) * loop.center;
-      number += loop.points.size();
-    }
-    return sum / double(number);
-  }
-};
 
 /*!
   Joins loops to holes. A hole is a set of rims whose common smooth base ends at them everywhere and is not covered by
@@ -74,8 +48,11 @@ class Hole_detection
 
 public:
   /// \param user_holes boxes, in each of which there is a hole
-  explicit Hole_detection(const Model& model, const std::vector<Bbox_3>& user_holes = std::vector<Bbox_3>())
-    : m_model(model), m_user_holes(user_holes)
+  /// \param known_rims rims of holes, of points that follow each other
+  explicit Hole_detection(const Model& model, const std::vector<Bbox_3>& user_holes = std::vector<Bbox_3>(),
+                          const std::vector<std::vector<std::size_t> >& known_rims =
+                            std::vector<std::vector<std::size_t> >())
+    : m_model(model), m_user_holes(user_holes), m_known_rims(known_rims)
   {}
 
   /// \param progress called with the fraction done; `false` stops. \return whether it ran to its end
@@ -124,8 +101,10 @@ public:
         holes.push_back(border);
       }
     }
+    const Named_holes<ConcurrencyTag> named(m_model, loops);
+    named.add_rims(m_known_rims, holes);
     for(std::size_t b = 0; b < m_user_holes.size(); ++b)
-      add_user_hole(b, loops, holes);
+      named.add_box(b, m_user_holes[b], holes);
     return true;
   }
 
@@ -143,90 +122,6 @@ private:
     hole.stiff = without_bulge(*patch, grouping.is_one_rim(group) ? largest_fragment() : largest_fragment() / 2);
     holes.push_back(hole);
   }
-
-  // Paper, section 5: the user defines invalid cells. What was found in his box is meant; otherwise what is open there.
-  void add_user_hole(std::size_t b, const std::vector<Rim_loop>& loops, std::vector<Hole>& holes) const
-  {
-    const Bbox_3& box = m_user_holes[b];
-    bool is_found = false;
-    std::set<std::size_t> closed;
-    for(Hole& hole : holes)
-    {
-      if(hole.is_outer_border)
-        continue;
-      if(hole.patch)
-        closed.insert(hole.patch->rim().begin(), hole.patch->rim().end());
-      if(!hole.patch || !is_inside(hole.center(), box))
-        continue;
-      hole.is_named = true;
-      is_found = true;
-    }
-    if(is_found)
-      return;
-    Hole hole;
-    std::size_t number = 0;
-    for(const Rim_loop& loop : loops)
-    {
-      Rim_loop part;
-      for(const Rim_point& p : loop.points)
-        if(is_inside(m_model.position(p.index), box) && closed.count(p.index) == 0)
-          part.points.push_back(p);
-      if(part.points.empty())
-        continue;
-      part.measure(m_model.points());
-      number += part.points.size();
-      hole.loops.push_back(part);
-    }
-    require(number >= 4, "Box ", b, " of the parameter user_holes holds ", number,
-            " rim points; at least 4 are needed to fill what is open there.");
-    std::stable_sort(hole.loops.begin(), hole.loops.end(), [](const Rim_loop& a, const Rim_loop& b)
-      { return a.diameter > b.diameter; });
-    const auto surroundings = std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, hole.loops);
-    for(bool is_stiff : { false, true })
-    {
-      hole.patch = std::make_shared<const Patch>(surroundings, is_stiff, box);
-      if(hole.patch->number_of_uncovered() > 0)
-        break;
-    }
-    require(hole.patch->number_of_uncovered() > 0, "Box ", b,
-            " of the parameter user_holes holds nothing that is open.");
-    hole.is_named = true;
-    holes.push_back(hole);
-  }
-
-  // A hole has room for some points between its rims, and these go around it: at least half of its circumference is
-  // found. Irregular samplings have groups of rim points that face each other over a covered place.
-  static bool is_evident(const Patch& patch)
-  {
-    return patch.number_of_uncovered() >= Patch::fewest_uncovered() && patch.rim().size() >= fewest_rim_points() &&
-           double(patch.rim().size()) * patch.spacing() >= patch.diameter();
-  }
-
-  // The points thin out, and what the base finds uncovered is near points that are much farther from each other than
-  // those of the rim, as on the flat parts of an adaptive mesh. The spacing of a point is a median around it: stray
-  // points in a hole have that of its rim.
-  static bool is_sparse(const Patch& patch)
-  {
-    const double sparse = 1.75 * patch.spacing(), near = 2;   // spacings of the rim, of the point
-    const Model& model = patch.surroundings()->model();
-    std::size_t bare = 0, uncovered = 0;
-    std::vector<Neighbor_search::Neighbor> found;
-    for(const Base_sample& s : patch.samples())
-    {
-      if(!s.is_uncovered)
-        continue;
-      ++uncovered;
-      model.search().k_nearest(s.position, 12, found);
-      bare += std::none_of(found.begin(), found.end(), [&](const Neighbor_search::Neighbor& n)
-      {
-        const double spacing = model.spacing(n.first);
-        return spacing > sparse && n.second < near * spacing && is_same_side(s.normal, model.normal(n.first));
-      });
-    }
-    return 2 * bare < uncovered;
-  }
-
-  static std::size_t fewest_rim_points() { return 8; }
 
   static double least_opening() { return Grouping::least_opening(); }
 
@@ -317,21 +212,6 @@ private:
     return patch;
   }
 
-  // by the number of samples clearly larger than another
-  static bool is_bulge(const Patch& patch, const Patch& other)
-  {
-    return double(patch.samples().size()) > 1.15 * double(other.samples().size());
-  }
-
-  // Relief that the rim cuts can lead the base up or down, into a bulge, which a stiff base passes between. One that
-  // leaves more than some share of rim points alone is no answer. \return the stiff base then, otherwise none
-  static std::shared_ptr<const Patch> without_bulge(const Patch& patch, double left_alone)
-  {
-    const auto stiff = std::make_shared<const Patch>(patch.surroundings(), true, std::nullopt, patch.guides());
-    const bool is_torn = stiff->joined_share() < patch.joined_share() - left_alone;
-    return stiff->is_closed() && !is_torn && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
-  }
-
   // A rim that sharp edges cut into pieces: each piece alone lets the base run off, or opens to nowhere. Either the
   // pieces follow each other, or loops that open towards a common place are added, the nearest first, until the base is
   // closed. Relief or edges at a whole rim can lead the base away, too, which a stiff one resists.
@@ -391,6 +271,7 @@ private:
 
   const Model& m_model;
   std::vector<Bbox_3> m_user_holes;
+  std::vector<std::vector<std::size_t> > m_known_rims;
 };
 
 } // namespace internal

@@ -29,8 +29,10 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -136,6 +138,41 @@ std::vector<Bbox_3> read_regions(const Regions& regions, const char* name, const
   return boxes;
 }
 
+/*!
+  A range of ranges of indices of points, in the indices of the engine.
+  \param index what the caller calls the points
+*/
+template <typename Rims>
+std::vector<std::vector<std::size_t> > read_rims(const Rims& rims, const char* name,
+                                                 const std::vector<std::size_t>& index)
+{
+  std::vector<std::vector<std::size_t> > result;
+  if constexpr(is_given<Rims>())
+  {
+    std::unordered_map<std::size_t, std::size_t> engine_index;
+    for(std::size_t i = 0; i < index.size(); ++i)
+      engine_index[index[i]] = i;
+    for(const auto& rim : rims)
+    {
+      std::vector<std::size_t> points;
+      std::set<std::size_t> seen;
+      for(const auto& point : rim)
+      {
+        const auto found = engine_index.find(static_cast<std::size_t>(point));
+        require(found != engine_index.end(), "Rim ", result.size(), " of the parameter ", name, " names point ", +point,
+                "; there is no such point.");
+        require(seen.insert(found->second).second, "Rim ", result.size(), " of the parameter ", name,
+                " names point ", +point, " twice.");
+        points.push_back(found->second);
+      }
+      require(points.size() >= 3, "Rim ", result.size(), " of the parameter ", name, " has ", points.size(),
+              " points; at least 3 are needed to go around a hole.");
+      result.push_back(points);
+    }
+  }
+  return result;
+}
+
 template <typename Indices>
 std::vector<std::size_t> read_hole_indices(const Indices& indices)
 {
@@ -157,9 +194,14 @@ std::vector<char> read_mask(const PointRange& points, const Mask& mask)
   return is_example;
 }
 
-/// The settings of a run; example point sets are added to `examples`, the indices of their points included.
+/*!
+  The settings of a run; example point sets are added to `examples`.
+  \param index what the caller calls the points
+  \param example_indices receives the same for each of the example point sets
+*/
 template <typename PointRange, typename NamedParameters>
 Engine_parameters read_parameters(const PointRange& points, const NamedParameters& np, const Frame& frame,
+                                  const std::vector<std::size_t>& index,
                                   std::vector<std::vector<std::size_t> >& example_indices)
 {
   using parameters::choose_parameter;
@@ -202,6 +244,7 @@ Engine_parameters read_parameters(const PointRange& points, const NamedParameter
     read_regions(get_parameter_reference(np, own_np::excluded_regions), "excluded_regions", frame);
 
   result.user_holes = read_regions(get_parameter_reference(np, own_np::user_holes), "user_holes", frame, true);
+  result.known_rims = read_rims(get_parameter_reference(np, own_np::known_rims), "known_rims", index);
 
   const auto& example_sets = get_parameter_reference(np, own_np::example_point_sets);
   if constexpr(is_given<decltype(example_sets)>())

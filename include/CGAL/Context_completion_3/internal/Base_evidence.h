@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+#ifndef CGAL_CONTEXT_COMPLETION_3_INTERNAL_BASE_EVIDENCE_H
+#define CGAL_CONTEXT_COMPLETION_3_INTERNAL_BASE_EVIDENCE_H
+
+#include <CGAL/license/Context_completion_3.h>
+
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Smooth_patch.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Context_completions_3 {
+namespace internal {
+
+/// The least number of points of a rim.
+inline std::size_t fewest_rim_points() { return 8; }
+
+/*!
+  Whether a base is evidence of a hole: it has room for some points between its rims, and these go around it, at least
+  half of its circumference is found. Irregular samplings have groups of rim points that face each other over a covered
+  place.
+*/
+template <typename ConcurrencyTag>
+bool is_evident(const Smooth_patch<ConcurrencyTag>& patch)
+{
+  return patch.number_of_uncovered() >= Smooth_patch<ConcurrencyTag>::fewest_uncovered() &&
+         patch.rim().size() >= fewest_rim_points() &&
+         double(patch.rim().size()) * patch.spacing() >= patch.diameter();
+}
+
+/*!
+  Whether the points thin out, and what the base finds uncovered is near points that are much farther from each other
+  than those of the rim, as on the flat parts of an adaptive mesh. The spacing of a point is a median around it: stray
+  points in a hole have that of its rim.
+*/
+template <typename ConcurrencyTag>
+bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
+{
+  const double sparse = 1.75 * patch.spacing(), near = 2;   // spacings of the rim, of the point
+  const Surface_model<ConcurrencyTag>& model = patch.surroundings()->model();
+  std::size_t bare = 0, uncovered = 0;
+  std::vector<Neighbor_search::Neighbor> found;
+  for(const Base_sample& s : patch.samples())
+  {
+    if(!s.is_uncovered)
+      continue;
+    ++uncovered;
+    model.search().k_nearest(s.position, 12, found);
+    bare += std::none_of(found.begin(), found.end(), [&](const Neighbor_search::Neighbor& n)
+    {
+      const double spacing = model.spacing(n.first);
+      return spacing > sparse && n.second < near * spacing && is_same_side(s.normal, model.normal(n.first));
+    });
+  }
+  return 2 * bare < uncovered;
+}
+
+/// Whether one base is, by the number of its samples, clearly larger than another.
+template <typename ConcurrencyTag>
+bool is_bulge(const Smooth_patch<ConcurrencyTag>& patch, const Smooth_patch<ConcurrencyTag>& other)
+{
+  return double(patch.samples().size()) > 1.15 * double(other.samples().size());
+}
+
+/*!
+  A stiff base where relief that the rim cuts leads another one up or down, into a bulge.
+  \param left_alone the largest share of rim points that it may leave alone; one that leaves more is no answer
+  \return none where there is no bulge
+*/
+template <typename ConcurrencyTag>
+std::shared_ptr<const Smooth_patch<ConcurrencyTag> >
+without_bulge(const Smooth_patch<ConcurrencyTag>& patch, double left_alone)
+{
+  const auto stiff =
+    std::make_shared<const Smooth_patch<ConcurrencyTag> >(patch.surroundings(), true, std::nullopt, patch.guides());
+  const bool is_torn = stiff->joined_share() < patch.joined_share() - left_alone;
+  return stiff->is_closed() && !is_torn && is_evident(*stiff) && is_bulge(patch, *stiff) ? stiff : nullptr;
+}
+
+} // namespace internal
+} // namespace Context_completions_3
+} // namespace CGAL
+
+#endif // CGAL_CONTEXT_COMPLETION_3_INTERNAL_BASE_EVIDENCE_H
