@@ -3,7 +3,6 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -45,14 +44,18 @@ int main(int argc, char* argv[])
     index[v] = *points.insert(mesh.point(v), normals[v]);
 
   // Each border is taken for the rim of a hole.
-  std::vector<Mesh::Halfedge_index> borders;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
   std::vector<std::vector<std::size_t> > rims;
-  for(Mesh::Halfedge_index border : borders)
+  std::vector<bool> is_in_rim(mesh.num_halfedges(), false);
+  for(Mesh::Halfedge_index border : mesh.halfedges())
   {
+    if(!mesh.is_border(border) || is_in_rim[border])
+      continue;
     rims.emplace_back();
     for(Mesh::Halfedge_index h : CGAL::halfedges_around_face(border, mesh))
-      rims.back().push_back(index[target(h, mesh)]);
+    {
+      is_in_rim[h] = true;
+      rims.back().push_back(index[mesh.target(h)]);
+    }
   }
 
   std::vector<Hole_report> reports;
