@@ -12,6 +12,7 @@
 #ifndef CGAL_CONTEXT_COMPLETION_3_DEMO_MESH_BORDERS_H
 #define CGAL_CONTEXT_COMPLETION_3_DEMO_MESH_BORDERS_H
 
+#include "mesh_faces.h"
 #include "point_file.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -33,12 +34,17 @@ typedef std::vector<std::size_t> Face;
 
 /// The borders of a mesh that is a surface: cycles of points with the surface on the left, in the order of their
 /// smallest point. Every point is on one border at most.
-inline std::vector<std::vector<std::size_t> > border_cycles(const std::vector<Face>& faces)
+inline std::vector<std::vector<std::size_t> > border_cycles(const std::vector<Face>& faces, std::size_t number_of_points)
 {
+  const std::vector<char> is_at_border = points_at_border(faces, number_of_points);
   std::set<std::pair<std::size_t, std::size_t> > edges;
   for(const Face& face : faces)
     for(std::size_t i = 0; i < face.size(); ++i)
-      edges.emplace(face[i], face[(i + 1) % face.size()]);
+    {
+      const std::size_t from = face[i], to = face[(i + 1) % face.size()];
+      if(is_at_border[from] && is_at_border[to])
+        edges.emplace(from, to);
+    }
   std::map<std::size_t, std::size_t> next;
   for(const auto& edge : edges)
     if(edges.count(std::make_pair(edge.second, edge.first)) == 0)
@@ -85,7 +91,7 @@ inline std::vector<double> angle_sums(const std::vector<Point>& points, const st
   return sums;
 }
 
-/// Follows points that are doubled where surfaces touch. It is copied.
+/// Follows points that are doubled where surfaces touch. Visitors are copied, hence the pointer.
 struct Doubled_points : CGAL::Polygon_mesh_processing::Default_orientation_visitor
 {
   explicit Doubled_points(std::map<std::size_t, std::size_t>& original_of) : original_of(&original_of) {}
@@ -121,7 +127,7 @@ inline std::vector<std::vector<std::size_t> > rims_of_holes(const Point_file& fi
                                                      CGAL::parameters::visitor(Doubled_points(original_of)));
   const std::vector<double> sums = angle_sums(points, faces);
   std::vector<std::vector<std::size_t> > rims;
-  for(const std::vector<std::size_t>& cycle : border_cycles(faces))
+  for(const std::vector<std::size_t>& cycle : border_cycles(faces, points.size()))
   {
     if(number_of_turns(cycle, sums) > most_turns)
       continue;

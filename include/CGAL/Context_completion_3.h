@@ -85,8 +85,8 @@ public:
     \param points the points, a `CGAL::Point_set_3` or any other range
     \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
               `CGAL::context_complete()` that say what is to be computed and how (`geom_traits`, the hole diameters,
-              `hole_indices`, the regions, `user_holes`, the examples, the cell tree, the search, the policies,
-              `random_seed`), and the ones listed below; see also `Context_completions_3::combine()`
+              `hole_indices`, the regions, `user_holes`, `known_rims`, the examples, the cell tree, the search, the
+              policies, `random_seed`), and the ones listed below; see also `Context_completions_3::combine()`
 
     \cgalNamedParamsBegin
       \cgalParamNBegin{point_map}

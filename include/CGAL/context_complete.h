@@ -135,8 +135,9 @@ namespace CGAL {
 
     \cgalParamNBegin{known_rims}
       \cgalParamDescription{rims of holes that are known, as the border cycles of a mesh of the points: each the
-                            points around one hole, one after the other in either direction. Within each there is a
-                            hole, whether it was found or not, unless it is an outer border or too small for a point.}
+                            points around one hole, one after the other in either direction (section 5: the user
+                            defines invalid cells). Each bounds a hole, whether it was found or not, unless nothing is
+                            open within it.}
       \cgalParamType{a model of `ConstRange` whose value type is a model of `ConstRange` with an integer value type:
                      indices of the points as in `Context_completions_3::Hole_3::loops`}
       \cgalParamDefault{no rim}

@@ -190,8 +190,43 @@ std::vector<Row> sheet(int number, double z)
   return rows;
 }
 
+/// Points and faces, and how files hold them.
+struct Mesh
+{
+  std::string face_lines() const
+  {
+    std::string text;
+    for(const std::vector<std::size_t>& face : faces)
+    {
+      text += std::to_string(face.size());
+      for(std::size_t v : face)
+        text += " " + std::to_string(v);
+      text += "\n";
+    }
+    return text;
+  }
+
+  std::string off() const
+  {
+    return "OFF\n" + std::to_string(rows.size()) + " " + std::to_string(faces.size()) + " 0\n" + xyz_of(rows, 3)
+           + face_lines();
+  }
+
+  std::string ply() const
+  {
+    std::string text = ply_of(rows);
+    const std::string end = "end_header\n";
+    text.insert(text.find(end), "element face " + std::to_string(faces.size())
+                + "\nproperty list uchar int vertex_indices\n");
+    return text + face_lines();
+  }
+
+  std::vector<Row> rows;
+  std::vector<std::vector<std::size_t> > faces;
+};
+
 /// A sphere as a mesh: the grid of a cube, pushed outwards. The middle of its top has no points; one face may cover it.
-struct Sphere_mesh
+struct Sphere_mesh : Mesh
 {
   explicit Sphere_mesh(bool is_covered)
   {
@@ -250,41 +285,10 @@ struct Sphere_mesh
       lid.push_back(vertex({ first, j, n }));
     faces.push_back(lid);
   }
-
-  std::string face_lines() const
-  {
-    std::string text;
-    for(const std::vector<std::size_t>& face : faces)
-    {
-      text += std::to_string(face.size());
-      for(std::size_t v : face)
-        text += " " + std::to_string(v);
-      text += "\n";
-    }
-    return text;
-  }
-
-  std::string off() const
-  {
-    return "OFF\n" + std::to_string(rows.size()) + " " + std::to_string(faces.size()) + " 0\n" + xyz_of(rows, 3)
-           + face_lines();
-  }
-
-  std::string ply() const
-  {
-    std::string text = ply_of(rows);
-    const std::string end = "end_header\n";
-    text.insert(text.find(end), "element face " + std::to_string(faces.size())
-                + "\nproperty list uchar int vertex_indices\n");
-    return text + face_lines();
-  }
-
-  std::vector<Row> rows;
-  std::vector<std::vector<std::size_t> > faces;
 };
 
 /// A sheet of squares, with holes where `is_missing(i, j)`, or rolled up to a tube along its first direction.
-struct Sheet_mesh
+struct Sheet_mesh : Mesh
 {
   Sheet_mesh(int n, const std::function<bool(int, int)>& is_missing, bool is_tube = false)
   {
@@ -310,21 +314,6 @@ struct Sheet_mesh
         if(!is_missing(i, j))
           faces.push_back({ vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1) });
   }
-
-  std::string ply() const
-  {
-    std::string text = ply_of(rows), lines;
-    const std::string end = "end_header\n";
-    text.insert(text.find(end), "element face " + std::to_string(faces.size())
-                + "\nproperty list uchar int vertex_indices\n");
-    for(const std::array<std::size_t, 4>& face : faces)
-      lines += "4 " + std::to_string(face[0]) + " " + std::to_string(face[1]) + " " + std::to_string(face[2]) + " "
-               + std::to_string(face[3]) + "\n";
-    return text + lines;
-  }
-
-  std::vector<Row> rows;
-  std::vector<std::array<std::size_t, 4> > faces;
 };
 
 class Program : public testing::Test

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -45,6 +46,7 @@ class Named_holes
   typedef Surface_model<ConcurrencyTag> Model;
   typedef Smooth_patch<ConcurrencyTag> Patch;
   typedef Detected_hole<ConcurrencyTag> Hole;
+  typedef Rim_surroundings<ConcurrencyTag> Surroundings;
 
 public:
   /// \param loops what `Rim_detection` found; not copied
@@ -86,15 +88,9 @@ public:
             " rim points; at least 4 are needed to fill what is open there.");
     std::stable_sort(hole.loops.begin(), hole.loops.end(), [](const Rim_loop& a, const Rim_loop& b)
       { return a.diameter > b.diameter; });
-    const auto surroundings = std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, hole.loops);
-    for(bool is_stiff : { false, true })
-    {
-      hole.patch = std::make_shared<const Patch>(surroundings, is_stiff, box);
-      if(hole.patch->number_of_uncovered() > 0)
-        break;
-    }
-    require(hole.patch->number_of_uncovered() > 0, "Box ", b,
-            " of the parameter user_holes holds nothing that is open.");
+    const auto surroundings = std::make_shared<const Surroundings>(m_model, hole.loops);
+    hole.patch = open_base(surroundings, box);
+    require(hole.patch != nullptr, "Box ", b, " of the parameter user_holes holds nothing that is open.");
     hole.is_named = true;
     holes.push_back(hole);
   }
@@ -124,8 +120,7 @@ public:
       hole.patch = base_of_rim(hole.loops);
       if(!hole.patch)
         continue;
-      if(hole.patch->is_closed())
-        hole.stiff = without_bulge(*hole.patch, 0.);
+      hole.stiff = without_bulge(*hole.patch, 0.);
       holes.erase(std::remove_if(holes.begin(), holes.end(), [&](const Hole& other) {
         return is_mostly_of(other, points) || (!other.is_outer_border && holds(other)); }), holes.end());
       holes.push_back(hole);
@@ -180,16 +175,12 @@ private:
     return loop;
   }
 
-  // The smooth base, or a stiff one; one that runs off is ended some way from the rim. None if nothing is open.
+  // One that runs off is ended a spacing from the box around the rim.
   std::shared_ptr<const Patch> base_of_rim(const std::vector<Rim_loop>& loops) const
   {
-    const auto surroundings = std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, loops);
-    for(bool is_stiff : { false, true })
-    {
-      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
-      if(patch->is_closed() && patch->number_of_uncovered() > 0)
-        return patch;
-    }
+    const auto surroundings = std::make_shared<const Surroundings>(m_model, loops);
+    if(const auto patch = open_base(surroundings, std::nullopt))
+      return patch;
     Bbox_3 box;
     for(const Rim_point& p : loops.front().points)
     {
@@ -197,9 +188,16 @@ private:
       const double s = m_model.spacing(p.index);
       box += Bbox_3(x.x() - s, x.y() - s, x.z() - s, x.x() + s, x.y() + s, x.z() + s);
     }
+    return open_base(surroundings, box);
+  }
+
+  // The smooth base that ends at the rim, or a stiff one; none if nothing is open there.
+  static std::shared_ptr<const Patch> open_base(const std::shared_ptr<const Surroundings>& surroundings,
+                                                const std::optional<Bbox_3>& domain)
+  {
     for(bool is_stiff : { false, true })
     {
-      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff, box);
+      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff, domain);
       if(patch->is_closed() && patch->number_of_uncovered() > 0)
         return patch;
     }

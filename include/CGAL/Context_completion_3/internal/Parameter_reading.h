@@ -149,6 +149,8 @@ std::vector<std::vector<std::size_t> > read_rims(const Rims& rims, const char* n
   std::vector<std::vector<std::size_t> > result;
   if constexpr(is_given<Rims>())
   {
+    if(rims.begin() == rims.end())
+      return result;
     std::unordered_map<std::size_t, std::size_t> engine_index;
     for(std::size_t i = 0; i < index.size(); ++i)
       engine_index[index[i]] = i;
