@@ -8,9 +8,9 @@ build=$root/build
 say() { printf '== %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
-# compile jobs: one per processor, but two gigabytes of memory for each
+# compile jobs: one per processor, but four gigabytes of memory for each
 jobs=$(nproc)
-memory_jobs=$(awk '/^MemAvailable:/ { print int($2 / 2097152) }' /proc/meminfo 2>/dev/null || echo "$jobs")
+memory_jobs=$(awk '/^MemAvailable:/ { print int($2 / 4194304) }' /proc/meminfo 2>/dev/null || echo "$jobs")
 [ "${memory_jobs:-0}" -ge "$jobs" ] || jobs=$(( memory_jobs > 1 ? memory_jobs : 1 ))
 
 # Debian's own interpreter, which has Debian's modules, even where another one comes first in the path

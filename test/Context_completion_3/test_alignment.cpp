@@ -16,6 +16,8 @@
 
 #include <random>
 
+namespace test_alignment {
+
 using namespace CGAL::Context_completions_3::internal;
 
 namespace {
@@ -208,3 +210,5 @@ TEST(Quadratic_warp, iteration_bends_a_patch_onto_a_surface)
     EXPECT_GT(normals[i].dot(Vector(-0.2 * p.x(), 0.1 * p.y(), 1).normalized()), 0.999);
   }
 }
+
+} // namespace test_alignment

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace test_bad_input {
+
 using CGAL::Context_completions_3::Invalid_input;
 using CGAL::Context_completions_3::combine;
 namespace parameters = CGAL::parameters;
@@ -309,3 +311,5 @@ TEST(Bad_input, Nothing_is_written_to_the_output)
   EXPECT_TRUE(added.empty());
   EXPECT_TRUE(reports.empty());
 }
+
+} // namespace test_bad_input

@@ -16,6 +16,8 @@
 
 #include <random>
 
+namespace test_box_quadric {
+
 using namespace CGAL::Context_completions_3::internal;
 
 namespace {
@@ -243,3 +245,5 @@ TEST(Box_quadric, subdivision_of_the_paper_errs_on_the_safe_side_only)
   EXPECT_TRUE(subdivision(sphere(Vector(0.5, 0.5, 0.5), 0.01), unit_box));
   EXPECT_TRUE(subdivision(sphere(Vector(0.3, 0.3, 3), 4 - 1e-9), unit_box)); // ends at its limit: "meets"
 }
+
+} // namespace test_box_quadric

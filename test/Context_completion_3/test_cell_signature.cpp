@@ -19,6 +19,8 @@
 #include <random>
 #include <set>
 
+namespace test_cell_signature {
+
 using namespace CGAL::Context_completions_3::internal;
 
 namespace {
@@ -365,3 +367,5 @@ TEST(Cell_classification, agrees_with_the_definition_and_is_dynamic)
   EXPECT_EQ(exact.status(hole), Cell_status::valid);
   EXPECT_EQ(exact.number_of_valid_neighbors(invalid.back()), 6u);
 }
+
+} // namespace test_cell_signature

@@ -18,6 +18,8 @@
 #include <random>
 #include <set>
 
+namespace test_cell_tree {
+
 using namespace CGAL::Context_completions_3::internal;
 
 namespace {
@@ -249,3 +251,5 @@ TEST(Cell_tree, morton_codes_are_inverted)
     EXPECT_EQ(morton_coordinates(morton_code(c)), c);
   }
 }
+
+} // namespace test_cell_tree

@@ -38,6 +38,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_compilation {
+
 using CGAL::Context_completions_3::combine;
 namespace parameters = CGAL::parameters;
 namespace samples = Test_surfaces;
@@ -323,3 +325,5 @@ TEST(Compilation, Hole_indices_and_the_policies_of_the_paper)
   const std::size_t added = CGAL::context_complete(others, parameters::use_paper_policies(true));
   EXPECT_EQ(others.size(), before + added);
 }
+
+} // namespace test_compilation

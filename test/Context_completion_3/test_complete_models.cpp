@@ -34,6 +34,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_complete_models {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -216,3 +218,5 @@ TEST(Cut_model, Kitten_gets_its_back_again)
     EXPECT_LT(farthest, 3 * h) << "around point " << middle;
   }
 }
+
+} // namespace test_complete_models

@@ -21,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace test_completion_loop {
+
 using namespace CGAL::Context_completions_3::internal;
 
 namespace {
@@ -323,3 +325,5 @@ TEST(Completion_loop, A_callback_that_says_no_stops_it_at_once)
     EXPECT_EQ(policy.record, Record(whole.record.begin(), whole.record.begin() + length));
   }
 }
+
+} // namespace test_completion_loop

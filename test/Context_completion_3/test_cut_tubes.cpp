@@ -31,6 +31,8 @@
 #include <functional>
 #include <vector>
 
+namespace test_cut_tubes {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -352,3 +354,5 @@ TEST(Cut_tubes, Pieces_that_follow_each_other_are_one_rim)
   EXPECT_TRUE(grouping.facing_rims(first).empty());
   EXPECT_FALSE(grouping.surrounds_hole(first));
 }
+
+} // namespace test_cut_tubes

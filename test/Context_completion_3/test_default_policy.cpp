@@ -27,6 +27,8 @@
 #include <string>
 #include <vector>
 
+namespace test_default_policy {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -742,3 +744,5 @@ TEST(Default_policy, A_callback_stops_it)
   EXPECT_TRUE(engine.detect([](double) { return true; }));
   EXPECT_FALSE(engine.holes().empty());
 }
+
+} // namespace test_default_policy

@@ -27,6 +27,8 @@
 #include <string>
 #include <vector>
 
+namespace test_finer_levels {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -440,3 +442,5 @@ TEST(Finer_levels, Parts_that_have_twins_are_copied_where_the_whole_has_none)
   EXPECT_EQ(without.outcome.reason.find("finer levels copied"), std::string::npos);
   EXPECT_GT(with.outcome.level, without.outcome.level);
 }
+
+} // namespace test_finer_levels

@@ -25,6 +25,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_known_rims {
+
 using CGAL::Context_completions_3::Hole_state;
 using CGAL::Context_completions_3::Invalid_input;
 using CGAL::Context_completions_3::combine;
@@ -206,3 +208,5 @@ TEST(Known_rims, Rims_that_are_none_are_named)
   EXPECT_EQ(refusal_of({ { 4, 5 } }),
             "Rim 0 of the parameter known_rims has 2 points; at least 3 are needed to go around a hole.");
 }
+
+} // namespace test_known_rims

@@ -29,6 +29,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_learned_relief {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -278,3 +280,5 @@ TEST(Height_field, AHoleThatIsLargeAgainstABallIsNoHeightField)
     Learned_continuation<Tag>(hole.model, hole.model, *hole.patch, radius, []() {}).result();
   EXPECT_EQ(learned.places, 0u);
 }
+
+} // namespace test_learned_relief

@@ -19,6 +19,8 @@
 #include <numeric>
 #include <random>
 
+namespace test_local_approximation {
+
 using namespace CGAL::Context_completions_3::internal;
 
 namespace {
@@ -262,3 +264,5 @@ TEST(Local_approximation, support_ball_grows_and_keeps_to_one_side)
   }
   EXPECT_NEAR(fit_local_approximation(sided).distance(Vector(2, 2, 0)), -0.05, 1e-6);
 }
+
+} // namespace test_local_approximation

@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_open_ends {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -260,3 +262,5 @@ TEST(Open_ends, A_cancelled_search_leaves_nothing_and_can_be_repeated)
   ASSERT_EQ(engine.holes().size(), 1u);
   EXPECT_EQ(engine.holes()[0].state, Hole_state::hole);
 }
+
+} // namespace test_open_ends

@@ -17,6 +17,8 @@
 #include <numeric>
 #include <random>
 
+namespace test_paper_policy {
+
 using namespace CGAL::Context_completions_3::internal;
 
 namespace {
@@ -413,3 +415,5 @@ TEST(Paper_policy, example_sets_are_copied_from)
     EXPECT_LT(point.source, parameters.examples[0].size());
   }
 }
+
+} // namespace test_paper_policy

@@ -23,6 +23,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_parallel {
+
 namespace samples = Test_surfaces;
 
 namespace {
@@ -82,3 +84,5 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Parallel_completion, ::testing::Values(
   samples::four_patterns_with_hole(),
   samples::without_ball(samples::bumpy_sphere(1500, 10., 0.6, 6.), samples::Point(6, 5, 6), 2.8),
   samples::without_ball(samples::cylinder(40, 40, 6.), samples::Point(6, 0, 16), 3.)));
+
+} // namespace test_parallel

@@ -32,6 +32,8 @@
 #include <memory>
 #include <vector>
 
+namespace test_place_search {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -423,3 +425,5 @@ TEST(Place_search, Finds_the_place_in_the_right_source)
   EXPECT_EQ(found.front().source, 1u);
   EXPECT_LT((found.front().origin - target.frame.origin).norm(), 1.);
 }
+
+} // namespace test_place_search

@@ -32,6 +32,8 @@
 #include <memory>
 #include <vector>
 
+namespace test_place_signature {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -313,3 +315,5 @@ TEST(Place_search, Finds_a_twin_by_each_judge_alone)
     EXPECT_LT(largest, 0.05) << by_signature;
   }
 }
+
+} // namespace test_place_signature

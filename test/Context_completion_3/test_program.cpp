@@ -32,6 +32,8 @@
 #include <string>
 #include <vector>
 
+namespace test_program {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -1010,3 +1012,5 @@ TEST_F(Program, Explains_wrong_use)
   EXPECT_EQ(run("--help"), 0);
   EXPECT_NE(out.find("--estimate-normals"), std::string::npos);
 }
+
+} // namespace test_program

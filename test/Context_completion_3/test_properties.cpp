@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace test_properties {
+
 using CGAL::Context_completions_3::combine;
 namespace parameters = CGAL::parameters;
 namespace samples = Test_surfaces;
@@ -425,3 +427,5 @@ TEST(Properties, Without_a_hole_nothing_is_added)
   EXPECT_EQ(CGAL::context_complete(points), 0u);
   EXPECT_TRUE(before.is_equal_to(points));
 }
+
+} // namespace test_properties

@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_sharp_edges {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -451,3 +453,5 @@ TEST(Sharp_edges, the_end_of_a_beam_whose_sides_never_meet_stays_open)
   for(const auto& hole : engine.holes())
     EXPECT_EQ(hole.state, Hole_state::outer_border);
 }
+
+} // namespace test_sharp_edges

@@ -36,6 +36,8 @@
 #include <unordered_set>
 #include <vector>
 
+namespace test_smooth_base {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -974,3 +976,5 @@ TEST(Hole_detection, Tube_cut_through_is_one_hole_with_two_rims)
   }
   EXPECT_EQ(number_of_cuts, 1u);
 }
+
+} // namespace test_smooth_base

@@ -28,6 +28,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_step_by_step {
+
 using CGAL::Context_completions_3::Hole_state;
 using CGAL::Context_completions_3::Invalid_input;
 using CGAL::Context_completions_3::combine;
@@ -506,3 +508,5 @@ TEST(Step_by_step, A_visitor_hears_of_each_hole)
   EXPECT_EQ(visitor.sum, added);
   EXPECT_EQ(visitor.total, added);
 }
+
+} // namespace test_step_by_step

@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_texture {
+
 using namespace CGAL::Context_completions_3::internal;
 namespace samples = Test_surfaces;
 
@@ -230,3 +232,5 @@ TEST(Keep_texture, A_ledge_of_the_place_is_no_texture)
   EXPECT_LT(texture, 0.6);
   EXPECT_GT(highest_carried(true), 1.2);
 }
+
+} // namespace test_texture

@@ -129,7 +129,7 @@ public:
       return std::nullopt;
     origin = at + normal * normal.dot(middle - at);
     Motion motion;
-    motion.linear = Eigen::Quaterniond::FromTwoVectors(normal, m_direction).toRotationMatrix();
+    motion.linear = least_rotation(normal, m_direction);
     motion.translation = m_middle - motion.linear * origin;
     return heights(model, motion, points);
   }
