@@ -52,7 +52,7 @@ struct Motion
 /// The rotation by the least angle that takes the unit vector `from` to the unit vector `to`. \pre they are not opposite.
 inline Matrix least_rotation(const Vector& from, const Vector& to)
 {
-  // Eigen's FromTwoVectors() has a decomposition for opposite vectors: a tenth of the time to compile this package.
+  // Eigen's FromTwoVectors() has a decomposition for opposite vectors: a tenth of the time to parse this package.
   const Vector axis = from.cross(to);
   const double s = std::sqrt(2 * (1 + from.dot(to)));
   return Eigen::Quaterniond(0.5 * s, axis[0] / s, axis[1] / s, axis[2] / s).toRotationMatrix();
