@@ -15,11 +15,12 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 #include <CGAL/Context_completion_3/internal/Rim_membrane.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Weighted_quantile.h>
 
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ class Base_family
     Eigen::MatrixXd center_basis;        // centres x coefficients
     Eigen::VectorXd offset;              // height over that of the patch, at the samples
     Eigen::VectorXd missed;              // known surface over it, at the centres
-    Eigen::Vector2d sector_error = Eigen::Vector2d::Zero();   // of the surface by positions, and by normals, too
+    Eigen::VectorXd sector_error;        // of the surface by positions, and by normals, too
   };
 
   struct Member
@@ -122,7 +123,8 @@ public:
   {
     Eigen::VectorXd data(4 * Eigen::Index(m_patch.centers().size()));
     for(std::size_t i = 0; i < m_patch.centers().size(); ++i)
-      data.segment<4>(4 * Eigen::Index(i)) = m_patch.centers()[i].by_normals;
+      for(std::size_t k = 0; k < 4; ++k)
+        data[Eigen::Index(4 * i + k)] = m_patch.centers()[i].by_normals[k];
     return data;
   }
 
@@ -132,8 +134,10 @@ public:
     const Member& member = m_members[m];
     const Trend& trend = m_trends[member.trend];
     const Eigen::MatrixXd coefficients = trend.base.solve(with_guides(data));
-    const Eigen::MatrixXd missed = (values(data) - trend.center_basis * coefficients).colwise() + trend.missed;
-    return (trend.basis * coefficients + member.rest * missed).colwise() + trend.offset;
+    Eigen::MatrixXd result = matrix_product(trend.basis, coefficients);
+    result += matrix_product(member.rest, missed(trend, data, coefficients));
+    add_to_columns(result, trend.offset);
+    return result;
   }
 
   /// Weights for `combine()` from an error of each member.
@@ -187,9 +191,14 @@ public:
   Eigen::VectorXd roughness(const Eigen::MatrixXd& data) const
   {
     const Trend& trend = m_trends[2];
-    const Eigen::MatrixXd missed =
-      at_rim((values(data) - trend.center_basis * trend.base.solve(with_guides(data))).colwise() + trend.missed);
-    return (missed.colwise().squaredNorm() / double(missed.rows())).cwiseSqrt().transpose();
+    const Eigen::MatrixXd at_the_rim = at_rim(missed(trend, data, trend.base.solve(with_guides(data))));
+    Eigen::VectorXd result(data.cols());
+    for(Eigen::Index c = 0; c < data.cols(); ++c)
+    {
+      const Eigen::VectorXd column = at_the_rim.col(c);
+      result[c] = std::sqrt(column.squaredNorm() / double(column.size()));
+    }
+    return result;
   }
 
   /// By how much fits that use normals are inclined, at the rim, against those that do not: means, for each column.
@@ -198,7 +207,12 @@ public:
     Eigen::VectorXd result = Eigen::VectorXd::Zero(data.cols());
     for(Eigen::Index c = 0; c < data.cols(); ++c)
       for(std::size_t i : m_rim)
-        result[c] += (data_by_normals - data).col(c).segment<3>(4 * Eigen::Index(i) + 1).norm() / double(m_rim.size());
+      {
+        Vector difference;
+        for(Eigen::Index k = 0; k < 3; ++k)
+          difference[k] = data_by_normals(4 * Eigen::Index(i) + 1 + k, c) - data(4 * Eigen::Index(i) + 1 + k, c);
+        result[c] += difference.norm() / double(m_rim.size());
+      }
     return result;
   }
 
@@ -208,6 +222,15 @@ private:
   {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(data.rows() + 4 * Eigen::Index(m_patch.guides().size()), data.cols());
     result.topRows(data.rows()) = data;
+    return result;
+  }
+
+  // What a trend misses at the centres of the known surface as it is displaced by each column of `data`.
+  static Eigen::MatrixXd missed(const Trend& trend, const Eigen::MatrixXd& data, const Eigen::MatrixXd& coefficients)
+  {
+    Eigen::MatrixXd result = values(data);
+    result -= matrix_product(trend.center_basis, coefficients);
+    add_to_columns(result, trend.missed);
     return result;
   }
 
@@ -233,17 +256,17 @@ private:
   {
     const double range = 4 * m_patch.spacing();
     const Eigen::Index n = Eigen::Index(m_rim.size()), j = Eigen::Index(m_patch.samples().size());
-    Eigen::MatrixXd a(n, n), b(j, n);
+    Eigen::MatrixXd a(n, n), b(n, j);
     for(Eigen::Index i = 0; i < n; ++i)
     {
       const Vector c = m_patch.centers()[m_rim[std::size_t(i)]].position;
       for(Eigen::Index k = 0; k < n; ++k)
         a(i, k) = std::exp(-(c - m_patch.centers()[m_rim[std::size_t(k)]].position).norm() / range);
+      a(i, i) += 1e-3;
       for(Eigen::Index s = 0; s < j; ++s)
-        b(s, i) = std::exp(-(c - m_patch.samples()[std::size_t(s)].position).norm() / range);
+        b(i, s) = std::exp(-(c - m_patch.samples()[std::size_t(s)].position).norm() / range);
     }
-    a.diagonal().array() += 1e-3;
-    const Eigen::MatrixXd of_rim = a.ldlt().solve(b.transpose()).transpose();
+    const Eigen::MatrixXd of_rim = solve_linear_systems(a, b).transpose();
     Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(j, Eigen::Index(m_patch.centers().size()));
     for(Eigen::Index i = 0; i < n; ++i)
       rest.col(Eigen::Index(m_rim[std::size_t(i)])) = of_rim.col(i);
@@ -267,7 +290,7 @@ private:
       const double r = (p - q).norm() / (range * m_patch.scale());
       return (1 + r) * std::exp(-r); };
     const Eigen::Index n = Eigen::Index(m_patch.centers().size()), j = Eigen::Index(m_patch.samples().size());
-    Eigen::MatrixXd a(n, n), b(j, n);
+    Eigen::MatrixXd a(n, n), b(n, j);
     for(Eigen::Index i = 0; i < n; ++i)
     {
       const Vector& c = m_patch.centers()[std::size_t(i)].position;
@@ -275,9 +298,9 @@ private:
         a(i, k) = covariance(c, m_patch.centers()[std::size_t(k)].position);
       a(i, i) += 0.02;
       for(Eigen::Index s = 0; s < j; ++s)
-        b(s, i) = covariance(c, m_patch.samples()[std::size_t(s)].position);
+        b(i, s) = covariance(c, m_patch.samples()[std::size_t(s)].position);
     }
-    return a.ldlt().solve(b.transpose()).transpose();
+    return solve_linear_systems(a, b).transpose();
   }
 
   void prepare(Trend& trend, const std::vector<std::vector<std::size_t> >& groups) const
@@ -362,8 +385,10 @@ private:
                                     const Eigen::VectorXd& data, const Eigen::MatrixXd& displacements) const
   {
     // a function grows where its zero set sinks
-    const std::vector<Eigen::MatrixXd> residuals =
-      trend.base.left_out(groups, (-with_guides(displacements)).colwise() + data);
+    Eigen::MatrixXd moved = with_guides(displacements);
+    moved *= -1;
+    add_to_columns(moved, data);
+    const std::vector<Eigen::MatrixXd> residuals = trend.base.left_out(groups, moved);
     const double limit = 0.3 * m_patch.scale();
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(displacements.cols());
     std::size_t count = 0;
@@ -371,8 +396,9 @@ private:
       for(std::size_t i = 0; i < groups[g].size(); ++i)
         if(m_patch.centers()[groups[g][i]].distance < 0.35 * m_patch.scale())
         {
-          sum += (residuals[g].row(4 * Eigen::Index(i)) + displacements.row(4 * Eigen::Index(groups[g][i])))
-            .cwiseAbs().cwiseMin(limit).transpose();
+          for(Eigen::Index c = 0; c < sum.size(); ++c)
+            sum[c] += (std::min)(limit, std::abs(residuals[g](4 * Eigen::Index(i), c)
+                                                 + displacements(4 * Eigen::Index(groups[g][i]), c)));
           ++count;
         }
     return count > 0 ? Eigen::VectorXd(sum / double(count)) : Eigen::VectorXd::Constant(sum.size(), limit);

@@ -19,6 +19,7 @@
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
 #include <CGAL/Context_completion_3/internal/Learned_continuation.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 #include <CGAL/Context_completion_3/internal/Place_facets.h>
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Rim_membrane.h>
@@ -26,7 +27,7 @@
 #include <CGAL/Context_completion_3/internal/Rim_warps.h>
 #include <CGAL/Context_completion_3/internal/Smooth_choice.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -288,7 +289,7 @@ private:
     if(belief == 0)
       return;
     const Eigen::VectorXd smooth = m_smooth.col(m_statistics.column(target));
-    double difference = (predict(forecasts[best].plan, target) - smooth).cwiseAbs().mean();
+    double difference = mean_absolute_value(predict(forecasts[best].plan, target) - smooth);
     if(distance_from_twins(forecasts[best].plan) > 2 * forecasts[best].error + 0.05 * m_patch.spacing())
     {
       difference = distance_from_twins(Filling_plan());
@@ -312,7 +313,7 @@ private:
     const std::vector<double> weights = m_statistics.twins(most_places);
     double sum = 0;
     for(std::size_t r = 0; r < weights.size(); ++r)
-      sum += weights[r] * (heights - carried(target, ranking()[r])).cwiseAbs().mean();
+      sum += weights[r] * mean_absolute_value(heights - carried(target, ranking()[r]));
     return sum;
   }
 

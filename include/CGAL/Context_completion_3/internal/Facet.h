@@ -14,10 +14,9 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Normal_equations.h>
 #include <CGAL/Context_completion_3/internal/Quadric_3.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -54,36 +53,47 @@ public:
     for(std::size_t i : members)
       origin += points.position[i];
     origin /= double(members.size());
-    Equations equations;
+    Normal_equations<terms> equations;
+    std::size_t number = 0;
+    double square = 0;
     const double position_weight = std::pow(precision.scale / precision.position, 2);
     const double normal_weight = std::pow(1 / precision.normal, 2);
-    Row row;
+    const auto add = [&](const Row& row, double value, double weight)
+    {
+      equations.add(row, value, weight);
+      square += weight * value * value;
+      ++number;
+    };
     for(std::size_t i : members)
     {
       // linear terms first: a plane needs no others
       const Vector d = (points.position[i] - origin) / precision.scale;
       const double x = d.x(), y = d.y(), z = d.z();
-      row << 1, x, y, z, x * x, y * y, z * z, x * y, x * z, y * z;
-      equations.add(row, 0, position_weight);
-      row << 0, 1, 0, 0, 2 * x, 0, 0, y, z, 0;
-      equations.add(row, points.normal[i].x(), normal_weight);
-      row << 0, 0, 1, 0, 0, 2 * y, 0, x, 0, z;
-      equations.add(row, points.normal[i].y(), normal_weight);
-      row << 0, 0, 0, 1, 0, 0, 2 * z, 0, x, y;
-      equations.add(row, points.normal[i].z(), normal_weight);
+      add({{1, x, y, z, x * x, y * y, z * z, x * y, x * z, y * z}}, 0, position_weight);
+      add({{0, 1, 0, 0, 2 * x, 0, 0, y, z, 0}}, points.normal[i].x(), normal_weight);
+      add({{0, 0, 1, 0, 0, 2 * y, 0, x, 0, z}}, points.normal[i].y(), normal_weight);
+      add({{0, 0, 0, 1, 0, 0, 2 * z, 0, x, y}}, points.normal[i].z(), normal_weight);
     }
-    for(int term = linear_terms; term < terms; ++term)
-      equations.matrix(term, term) += 4;
-    const Row plane = equations.solve(linear_terms), bent = equations.solve(terms);
+    for(std::size_t term = linear_terms; term < terms; ++term)
+      equations.diagonal(term) += 4;
+    const auto solution = [&](std::size_t used)
+    {
+      double largest = 0;
+      for(std::size_t term = 0; term < used; ++term)
+        largest = (std::max)(largest, equations.diagonal(term));
+      return equations.solve(used, 1e-9 * largest);
+    };
+    const auto loss = [&](const Row& c) { return (std::max)(0., square + equations.change_of_loss(c)); };
+    const Row plane = solution(linear_terms), bent = solution(terms);
     // the Bayesian information criterion, with a floor for the loss, since no surface is a plane to the last digit
-    const double n = double(equations.number), floor = 0.03 * n;
-    const bool is_plane = n * std::log((equations.loss(plane) + floor) / (equations.loss(bent) + floor))
-                          < (terms - linear_terms) * std::log(n);
+    const double n = double(number), floor = 0.03 * n;
+    const bool is_plane = n * std::log((loss(plane) + floor) / (loss(bent) + floor))
+                          < double(terms - linear_terms) * std::log(n);
     const Row& c = is_plane ? plane : bent;
-    m_loss = equations.loss(c) + floor;
+    m_loss = loss(c) + floor;
     Matrix a;
     a << c[4], c[7] / 2, c[8] / 2, c[7] / 2, c[5], c[9] / 2, c[8] / 2, c[9] / 2, c[6];
-    m_quadric = make_quadric(a, c.segment<3>(1), c[0], origin, precision.scale);
+    m_quadric = make_quadric(a, Vector(c[1], c[2], c[3]), c[0], origin, precision.scale);
   }
 
   /// Sum of the squares of what it misses of positions and normals, over their expected deviations.
@@ -127,38 +137,9 @@ public:
   }
 
 private:
-  static constexpr int linear_terms = 4, terms = 10;
+  static constexpr std::size_t linear_terms = 4, terms = 10;
 
-  typedef Eigen::Matrix<double, terms, 1> Row;
-
-  // Weighted least squares.
-  struct Equations
-  {
-    Eigen::Matrix<double, terms, terms> matrix = Eigen::Matrix<double, terms, terms>::Zero();
-    Row right = Row::Zero();
-    double square = 0;
-    std::size_t number = 0;
-
-    void add(const Row& row, double value, double weight)
-    {
-      matrix.noalias() += weight * row * row.transpose();
-      right += weight * value * row;
-      square += weight * value * value;
-      ++number;
-    }
-
-    // the first coefficients, the others 0
-    Row solve(int used) const
-    {
-      Eigen::MatrixXd a = matrix.topLeftCorner(used, used);
-      a.diagonal().array() += 1e-9 * a.diagonal().maxCoeff();
-      Row result = Row::Zero();
-      result.head(used) = a.ldlt().solve(right.head(used));
-      return result;
-    }
-
-    double loss(const Row& c) const { return (std::max)(0., square - 2 * c.dot(right) + c.dot(matrix * c)); }
-  };
+  typedef Normal_equations<terms>::Row Row;
 
   Quadric m_quadric;
   double m_loss = 0;

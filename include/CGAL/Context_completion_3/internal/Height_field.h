@@ -19,7 +19,6 @@
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 #include <CGAL/Context_completion_3/internal/Thinned_points.h>
 
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -190,25 +189,30 @@ private:
     for(std::size_t i : thinned_points(ring, apart * m_patch.spacing() / m_radius))
     {
       probe[i] = m_around.size();
-      m_around.push_back(ring.position[i].head<2>());
+      m_around.push_back(Point_2(ring.position[i].x(), ring.position[i].y()));
       m_distance.push_back(distances[i]);
     }
     for(std::size_t i = 0; i < ring.size(); ++i)
-      m_marks.push_back({ring.position[i].head<2>(), false, probe[i]});
+      m_marks.push_back({Point_2(ring.position[i].x(), ring.position[i].y()), false, probe[i]});
   }
 
   void make_bins()
   {
     m_edge = 2.2 * m_patch.spacing() / m_radius;
-    Eigen::AlignedBox2d box;
+    const double infinity = std::numeric_limits<double>::infinity();
+    Point_2 high(-infinity, -infinity);
+    m_low = Point_2(infinity, infinity);
     for(const Mark& mark : m_marks)
     {
-      box.extend(mark.position);
+      for(int axis : {0, 1})
+      {
+        m_low[axis] = (std::min)(m_low[axis], mark.position[axis]);
+        high[axis] = (std::max)(high[axis], mark.position[axis]);
+      }
       m_reach = (std::max)(m_reach, m_radius * mark.position.norm());
     }
-    m_low = box.min();
     for(int axis : {0, 1})
-      m_size[axis] = std::ptrdiff_t((box.max()[axis] - m_low[axis]) / m_edge) + 1;
+      m_size[axis] = std::ptrdiff_t((high[axis] - m_low[axis]) / m_edge) + 1;
     m_bins.resize(std::size_t(m_size[0] * m_size[1]));
     for(std::size_t i = 0; i < m_marks.size(); ++i)
       m_bins[std::size_t(bin(m_marks[i].position, 0) + m_size[0] * bin(m_marks[i].position, 1))].push_back(i);
@@ -314,21 +318,24 @@ private:
   Vector normal_at(Eigen::Index s, const Eigen::VectorXd& inside) const
   {
     const Point_2 x = m_inside[std::size_t(s)];
-    Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
-    Point_2 right = Point_2::Zero();
-    const double sigma = m_edge / 2;
+    const double sigma = m_edge / 2, damping = 1e-3 * sigma * sigma;
+    double xx = damping, xy = 0, yy = damping, right_x = 0, right_y = 0;
     for_each_mark_near(x, [&](const Mark& mark, double d)
     {
       if(!mark.is_inside)
         return;
       const Point_2 step = mark.position - x;
       const double w = std::exp(-d / (2 * sigma * sigma));
-      a += w * step * step.transpose();
-      right += w * (inside[Eigen::Index(mark.index)] - inside[s]) / m_radius * step;
+      const double height = w * (inside[Eigen::Index(mark.index)] - inside[s]) / m_radius;
+      xx += w * step[0] * step[0];
+      xy += w * step[0] * step[1];
+      yy += w * step[1] * step[1];
+      right_x += height * step[0];
+      right_y += height * step[1];
     });
-    a.diagonal().array() += 1e-3 * sigma * sigma;
-    const Point_2 slope = a.ldlt().solve(right);
-    return (m_direction - slope[0] * m_u - slope[1] * m_v).normalized();
+    const double all = xx * yy - xy * xy, slope_u = (right_x * yy - right_y * xy) / all,
+                 slope_v = (xx * right_y - xy * right_x) / all;
+    return (m_direction - slope_u * m_u - slope_v * m_v).normalized();
   }
 
   struct Mark

@@ -18,10 +18,11 @@
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Hole_piece.h>
 #include <CGAL/Context_completion_3/internal/Hole_relief.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 #include <CGAL/Context_completion_3/internal/Piece_forecast.h>
 #include <CGAL/Context_completion_3/internal/Place_search.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,7 @@ public:
   std::size_t number_of_replaced() const { return m_replaced; }
 
   /// How far, in the mean, the result is from the first level.
-  double change() const { return (m_relief.heights - m_first).cwiseAbs().mean(); }
+  double change() const { return mean_absolute_value(m_relief.heights - m_first); }
 
   /// How many finer levels a hole has: pieces have a radius of more than four spacings.
   static std::size_t number_of_levels(const Patch& patch)

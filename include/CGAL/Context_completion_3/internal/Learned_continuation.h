@@ -18,8 +18,8 @@
 #include <CGAL/Context_completion_3/internal/Error_extrapolation.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Height_field.h>
-
-#include <Eigen/Dense>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,29 +175,49 @@ private:
       m_weights[i] = std::exp(-m_field.distance()[std::size_t(i)] / 0.4);
     const Eigen::MatrixXd outer = linear_terms(m_field.around());
     m_linear = linear_terms(m_field.inside());
-    const Eigen::MatrixXd weighted = outer.transpose() * m_weights.asDiagonal();
-    m_planes = (weighted * outer).ldlt().solve(weighted * m_around);
-    m_around -= outer * m_planes;
-    m_inside -= m_linear * m_planes.leftCols(n);
+    Eigen::MatrixXd weighted = outer.transpose();
+    for(Eigen::Index i = 0; i < around; ++i)
+      for(Eigen::Index k = 0; k < 3; ++k)
+        weighted(k, i) *= m_weights[i];
+    m_planes = solve_linear_systems(matrix_product(weighted, outer), matrix_product(weighted, m_around));
+    m_around -= matrix_product(outer, m_planes);
+    m_inside -= matrix_product(m_linear, m_planes.leftCols(n));
   }
 
   static Eigen::MatrixXd linear_terms(const std::vector<Point_2>& positions)
   {
     Eigen::MatrixXd result(Eigen::Index(positions.size()), 3);
     for(std::size_t i = 0; i < positions.size(); ++i)
-      result.row(Eigen::Index(i)) << 1, positions[i].transpose();
+    {
+      result(Eigen::Index(i), 0) = 1;
+      result(Eigen::Index(i), 1) = positions[i].x();
+      result(Eigen::Index(i), 2) = positions[i].y();
+    }
     return result;
   }
 
   void learn()
   {
     const Eigen::Index n = m_inside.cols();
-    const Eigen::MatrixXd seen = m_weights.asDiagonal() * m_around / m_weights.norm();
-    const Eigen::MatrixXd products = seen.transpose() * seen;
+    Eigen::MatrixXd seen = m_around;
+    const double all_weights = m_weights.norm();
+    for(Eigen::Index k = 0; k < seen.cols(); ++k)
+      for(Eigen::Index i = 0; i < seen.rows(); ++i)
+        seen(i, k) = m_weights[i] * seen(i, k) / all_weights;
+    const Eigen::MatrixXd products = matrix_product(seen.transpose(), seen);
     // places of more relief do not weigh more
-    const Eigen::VectorXd scale =
-      (products.diagonal().head(n).array() + 1e-4 * m_spacing * m_spacing).sqrt().inverse().matrix();
-    const Eigen::MatrixXd likeness = scale.asDiagonal() * products.topLeftCorner(n, n) * scale.asDiagonal();
+    Eigen::VectorXd scale(n), relief(n + 1), likeness_to_hole(n);
+    for(Eigen::Index k = 0; k <= n; ++k)
+      relief[k] = std::sqrt(products(k, k));
+    for(Eigen::Index k = 0; k < n; ++k)
+      scale[k] = 1 / std::sqrt(products(k, k) + 1e-4 * m_spacing * m_spacing);
+    Eigen::MatrixXd likeness(n, n);
+    for(Eigen::Index k = 0; k < n; ++k)
+    {
+      for(Eigen::Index i = 0; i < n; ++i)
+        likeness(i, k) = scale[i] * products(i, k) * scale[k];
+      likeness_to_hole[k] = scale[k] * products(k, n);
+    }
     std::vector<Eigen::Index> fake_holes;
     for(Eigen::Index i = 0; i < Eigen::Index(most_fake_holes); ++i)
       if(fake_holes.empty() || fake_holes.back() < i * n / Eigen::Index(most_fake_holes))
@@ -205,8 +225,11 @@ private:
     std::vector<Eigen::MatrixXd> plates, differences;
     for(const Eigen::MatrixXd& plate : thin_plates({1e-4, 1e-2}))
     {
-      plates.push_back(plate * m_around);
-      differences.push_back((m_inside - plates.back().leftCols(n)) * scale.asDiagonal());
+      plates.push_back(matrix_product(plate, m_around));
+      differences.push_back(m_inside);
+      for(Eigen::Index k = 0; k < n; ++k)
+        for(Eigen::Index i = 0; i < m_inside.rows(); ++i)
+          differences.back()(i, k) = (m_inside(i, k) - plates.back()(i, k)) * scale[k];
     }
     double least = 0;
     Eigen::VectorXd errors;
@@ -214,28 +237,34 @@ private:
     {
       m_poll();
       Eigen::MatrixXd inverse = likeness;
-      inverse.diagonal().array() += damping;
-      inverse = inverse.llt().solve(Eigen::MatrixXd::Identity(n, n));
+      add_to_diagonal(inverse, n, damping);
+      inverse = inverse_matrix(inverse);
       Eigen::MatrixXd weights(n, Eigen::Index(fake_holes.size()));
       for_each_index<ConcurrencyTag>(fake_holes.size(), [&](std::size_t i)
         { weights.col(Eigen::Index(i)) = left_out(inverse, fake_holes[i]) / scale[fake_holes[i]]; });
       for(std::size_t p = 0; p < plates.size(); ++p)
       {
-        const Eigen::MatrixXd misses = differences[p] * weights;
-        const Eigen::VectorXd made = misses.cwiseAbs().colwise().mean().transpose();
-        const double loss = (made.array() + floor()).log().mean();
+        const Eigen::MatrixXd misses = matrix_product(differences[p], weights);
+        Eigen::VectorXd made(misses.cols());
+        double loss = 0;
+        for(Eigen::Index k = 0; k < made.size(); ++k)
+        {
+          made[k] = mean_absolute_value(misses.col(k));
+          loss += std::log(made[k] + floor()) / double(made.size());
+        }
         if(m_result.places > 0 && loss >= least)
           continue;
         least = loss;
         errors = made;
         m_result.places = std::size_t(n);
         m_result.misses = misses;
-        const Eigen::VectorXd own = inverse * (scale.asDiagonal() * products.col(n).head(n));
-        m_result.heights = plates[p].col(n) + differences[p] * own + m_linear * m_planes.col(n);
+        m_result.heights = plates[p].col(n);
+        m_result.heights += matrix_vector_product(differences[p], matrix_vector_product(inverse, likeness_to_hole));
+        m_result.heights += matrix_vector_product(m_linear, m_planes.col(n));
       }
     }
     m_result.heights = m_field.over_base(m_result.heights);
-    forecast(errors, fake_holes, products.diagonal().cwiseSqrt());
+    forecast(errors, fake_holes, relief);
   }
 
   // The weights, of all places, that give what a fake hole differs from its prediction by the places that know nothing
@@ -253,14 +282,16 @@ private:
         block.push_back(k);
       }
     const Eigen::Index size = Eigen::Index(block.size());
-    Eigen::MatrixXd rows(size, inverse.cols()), inner(size, size);
+    Eigen::MatrixXd columns(inverse.rows(), size), inner(size, size);
     for(Eigen::Index a = 0; a < size; ++a)
     {
-      rows.row(a) = inverse.row(block[std::size_t(a)]);
+      columns.col(a) = inverse.col(block[std::size_t(a)]);
       for(Eigen::Index b = 0; b < size; ++b)
         inner(a, b) = inverse(block[std::size_t(a)], block[std::size_t(b)]);
     }
-    return rows.transpose() * inner.llt().solve(Eigen::VectorXd::Unit(size, own));
+    Eigen::VectorXd unit = Eigen::VectorXd::Zero(size);
+    unit[own] = 1;
+    return matrix_vector_product(columns, solve_linear_system(inner, unit));
   }
 
   // Cubic radial functions through the heights around, which have some noise: operators from those to the heights
@@ -283,14 +314,17 @@ private:
     };
     Eigen::MatrixXd exact = Eigen::MatrixXd::Zero(n + 3, n + 3);
     exact.topRows(n) = basis(centers);
-    exact.bottomLeftCorner(3, n) = exact.topRightCorner(n, 3).transpose();
+    for(Eigen::Index k = 0; k < n; ++k)
+      for(Eigen::Index l = n; l < n + 3; ++l)
+        exact(l, k) = exact(k, l);
     const Eigen::MatrixXd inside = basis(m_field.inside()).transpose();
     std::vector<Eigen::MatrixXd> result;
     for(double noise : noises)
     {
       Eigen::MatrixXd system = exact;
-      system.diagonal().head(n).array() += noise;
-      result.push_back(system.partialPivLu().solve(inside).topRows(n).transpose());
+      add_to_diagonal(system, n, noise);
+      const Eigen::MatrixXd weights = solve_linear_systems(system, inside).transpose();
+      result.push_back(weights.leftCols(n));
     }
     return result;
   }

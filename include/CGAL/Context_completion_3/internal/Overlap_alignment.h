@@ -16,9 +16,9 @@
 
 #include <CGAL/Context_completion_3/internal/Motion.h>
 #include <CGAL/Context_completion_3/internal/Nearest_point_grid.h>
+#include <CGAL/Context_completion_3/internal/Normal_equations.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -146,22 +146,19 @@ public:
         return motion;
       if(step >= steps)
         reduce_weights_of_far_pairs(pairs, 1e-9 * reach);
-      Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
-      Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
+      Normal_equations<6> equations;
       used = 0;
       for(const Correspondence& c : pairs)
       {
-        Eigen::Matrix<double, 6, 1> row;
-        row << ((c.position - pivot) / extent).cross(c.direction), c.direction;
-        a.noalias() += c.weight * row * row.transpose();
-        b += c.weight * c.distance * row;
+        const Vector arm = (c.position - pivot) / extent, turn = arm.cross(c.direction);
+        equations.add({{turn[0], turn[1], turn[2], c.direction[0], c.direction[1], c.direction[2]}}, c.distance,
+                      c.weight);
         used += c.weight;
       }
-      a.diagonal().array() += 1e-3 * used;
-      const Eigen::Matrix<double, 6, 1> x = a.ldlt().solve(b);
-      if(!x.allFinite())
+      const Normal_equations<6>::Row x = equations.solve(6, 1e-3 * used);
+      if(!std::all_of(x.begin(), x.end(), [](double y) { return std::isfinite(y); }))
         return motion;
-      motion = motion.moved(x.template head<3>() / extent, x.template tail<3>(), pivot);
+      motion = motion.moved(Vector(x[0], x[1], x[2]) / extent, Vector(x[3], x[4], x[5]), pivot);
     }
     return motion;
   }

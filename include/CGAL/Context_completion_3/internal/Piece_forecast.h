@@ -17,10 +17,11 @@
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/Hole_piece.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
 #include <CGAL/Context_completion_3/internal/Rim_mismatch.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -149,13 +150,14 @@ private:
           [Eigen::Index(m_controls.settled[std::size_t(i - rim)])];
     }
     const Membrane membrane(positions, m_piece.radius);
-    const Eigen::MatrixXd weights = membrane.solve(values);
+    Eigen::MatrixXd basis(Eigen::Index(m_piece.samples.size()), Eigen::Index(positions.size()) + 1);
     Eigen::RowVectorXd row;
     for(std::size_t i = 0; i < m_piece.samples.size(); ++i)
     {
       membrane.basis(m_patch.samples()[m_piece.samples[i]].position, row);
-      m_membrane.row(Eigen::Index(i)) = row * weights;
+      basis.row(Eigen::Index(i)) = row;
     }
+    m_membrane = matrix_product(basis, membrane.solve(values));
   }
 
   double fake_error(const Filling_plan& plan, std::size_t k) const

@@ -15,15 +15,16 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Motion.h>
+#include <CGAL/Context_completion_3/internal/Normal_equations.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -91,8 +92,7 @@ public:
   {
     const Vector u = frame.axis, v = frame.normal.cross(u);
     std::vector<Sample> samples;
-    Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+    Normal_equations<6> equations;
     for(const Smoothed_place* place : around)
     {
       const Vector d = (place->frame.origin - frame.origin) / radius;
@@ -100,37 +100,39 @@ public:
       if(distance < nearest() || distance >= reach() || !is_same_side(frame.normal, place->frame.normal))
         continue;
       Sample sample;
-      sample.row << 1, x, y, x * x, x * y, y * y;
+      sample.row = {{1, x, y, x * x, x * y, y * y}};
       sample.height = d.dot(frame.normal);
       sample.normal = place->frame.normal;
       sample.roughness = place->roughness / radius;
       sample.ring = (std::min)(rings - 1, std::size_t(double(rings) * (distance - nearest()) / (reach() - nearest())));
-      a.noalias() += sample.row * sample.row.transpose();
-      right += sample.height * sample.row;
+      equations.add(sample.row, sample.height, 1);
       samples.push_back(sample);
     }
     m_values.fill(0.);
     if(samples.empty())
       return;
-    a.diagonal().array() += 1e-3 * double(samples.size());
-    const Eigen::Matrix<double, 6, 1> c = a.ldlt().solve(right);
+    const Row c = equations.solve(6, 1e-3 * double(samples.size()));
     m_values[0] = c[3] + c[5];
     m_values[1] = std::hypot(c[3] - c[5], c[4]);
     const Vector plane = (frame.normal - c[1] * u - c[2] * v).normalized();
     double sum = 0, squares = 0;
     for(std::size_t ring = 0; ring < rings; ++ring)
     {
-      Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+      double mean[4] = {0, 0, 0, 0};
       double number = 0;
       for(const Sample& s : samples)
         if(s.ring == ring)
         {
-          const double missed = s.height - s.row.dot(c);
-          mean += Eigen::Vector4d(missed, missed * missed, s.roughness, plane.dot(s.normal));
+          const double missed = s.height - std::inner_product(c.begin(), c.end(), s.row.begin(), 0.);
+          mean[0] += missed;
+          mean[1] += missed * missed;
+          mean[2] += s.roughness;
+          mean[3] += plane.dot(s.normal);
           ++number;
         }
       if(number > 0)
-        mean /= number;
+        for(double& m : mean)
+          m /= number;
       m_values[2 + ring] = mean[0];
       m_values[5 + ring] = std::sqrt((std::max)(0., mean[1] - mean[0] * mean[0]));
       m_values[8 + ring] = mean[2];
@@ -148,12 +150,14 @@ public:
   const Values& values() const { return m_values; }
 
 private:
+  typedef Normal_equations<6>::Row Row;
+
   static constexpr std::size_t rings = 3;
   static constexpr double nearest() { return 0.8; }
 
   struct Sample
   {
-    Eigen::Matrix<double, 6, 1, Eigen::DontAlign> row;
+    Row row;
     double height = 0, roughness = 0;
     Vector normal = Vector::Zero();
     std::size_t ring = 0;

@@ -16,6 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Cell_signature.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Match_target.h>
 #include <CGAL/Context_completion_3/internal/Motion.h>
 #include <CGAL/Context_completion_3/internal/Nearest_point_grid.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Context_completion_3/internal/Place_signature.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -157,7 +157,7 @@ private:
       b += w * d * row;
     }
     a.diagonal().array() += 0.05 * total;
-    const Vector c = a.ldlt().solve(b);
+    const Vector c = solve_damped_system(a, b);
     double sum = 0;
     for(std::size_t i = 0; i < n; ++i)
     {

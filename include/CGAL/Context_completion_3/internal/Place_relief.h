@@ -15,12 +15,12 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Example_source.h>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Place.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
-#include <Eigen/Dense>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -144,7 +144,7 @@ public:
     }
     a(1, 1) += 0.05 * a(0, 0);
     a(2, 2) += 0.05 * a(0, 0);
-    const Vector c = a.ldlt().solve(right);
+    const Vector c = solve_damped_system(a, right);
     value = c[0];
     gradient = (c[1] * u + c[2] * v) / sigma;
     direction.normalize();
@@ -279,9 +279,11 @@ private:
         by_normals = fit;
       const auto set = [&](const Surface_element& element, Eigen::VectorXd& rim)
       {
-        const Eigen::Vector4d data = element.height_over(foot, axis);
+        const std::array<double, 4> data = element.height_over(foot, axis);
+        const Vector slope = place.motion.normal(Vector(data[1], data[2], data[3]));
         rim[4 * i] = data[0];
-        rim.segment<3>(4 * i + 1) = place.motion.normal(data.tail<3>());
+        for(Eigen::Index k = 0; k < 3; ++k)
+          rim[4 * i + 1 + k] = slope[k];
       };
       result.is_found[std::size_t(i)] = 1;
       set(fit, result.rim);

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
-#include <CGAL/Context_completion_3/internal/Surface_model.h>
-
-#include <Eigen/Dense>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
+#include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <cmath>
 #include <vector>
@@ -56,9 +56,13 @@ public:
         double value; Vector gradient; Matrix hessian;
         derivatives(m_centers[i] - m_centers[j], value, gradient, hessian);
         a(4 * i, 4 * j) = value;
-        a.block<1, 3>(4 * i, 4 * j + 1) = -gradient.transpose();
-        a.block<3, 1>(4 * i + 1, 4 * j) = gradient;
-        a.block<3, 3>(4 * i + 1, 4 * j + 1) = -hessian;
+        for(Eigen::Index k = 0; k < 3; ++k)
+        {
+          a(4 * i, 4 * j + 1 + k) = -gradient[k];
+          a(4 * i + 1 + k, 4 * j) = gradient[k];
+          for(Eigen::Index l = 0; l < 3; ++l)
+            a(4 * i + 1 + k, 4 * j + 1 + l) = -hessian(k, l);
+        }
       }
       a(4 * i, 4 * i) += value_noise;
       for(Eigen::Index k = 1; k < 4; ++k)
@@ -68,8 +72,8 @@ public:
       for(Eigen::Index k = 0; k < p; ++k)
       {
         a(4 * i, 4 * n + k) = a(4 * n + k, 4 * i) = q[k];
-        a.block<3, 1>(4 * i + 1, 4 * n + k) = g[k];
-        a.block<1, 3>(4 * n + k, 4 * i + 1) = g[k].transpose();
+        for(Eigen::Index l = 0; l < 3; ++l)
+          a(4 * i + 1 + l, 4 * n + k) = a(4 * n + k, 4 * i + 1 + l) = g[k][l];
       }
     }
     for(Eigen::Index k = 0; k < p; ++k)
@@ -85,8 +89,10 @@ public:
     const Eigen::Index n = Eigen::Index(m_centers.size());
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(4 * n + terms, data.cols());
     right.topRows(4 * n) = data;
-    for(Eigen::Index i = 0; i < n; ++i)
-      right.middleRows(4 * i + 1, 3) *= m_scale;
+    for(Eigen::Index c = 0; c < right.cols(); ++c)
+      for(Eigen::Index i = 0; i < 4 * n; ++i)
+        if(i % 4 > 0)
+          right(i, c) *= m_scale;
     return m_solver.solve(right);
   }
 
@@ -99,7 +105,7 @@ public:
   {
     const Eigen::Index n = Eigen::Index(m_centers.size());
     const Eigen::MatrixXd coefficients = solve(data).topRows(4 * n);
-    const Eigen::MatrixXd inverse = m_solver.inverse();
+    const Eigen::MatrixXd inverse = m_solver.solve(identity_matrix(4 * n + terms));
     std::vector<Eigen::MatrixXd> result;
     for(const std::vector<std::size_t>& group : groups)
     {
@@ -108,14 +114,20 @@ public:
       Eigen::MatrixXd right(4 * g, data.cols());
       for(Eigen::Index a = 0; a < g; ++a)
       {
-        right.middleRows<4>(4 * a) = coefficients.middleRows<4>(4 * Eigen::Index(group[a]));
+        for(Eigen::Index c = 0; c < right.cols(); ++c)
+          for(Eigen::Index k = 0; k < 4; ++k)
+            right(4 * a + k, c) = coefficients(4 * Eigen::Index(group[std::size_t(a)]) + k, c);
         for(Eigen::Index b = 0; b < g; ++b)
-          block.block<4, 4>(4 * a, 4 * b) =
-            inverse.block<4, 4>(4 * Eigen::Index(group[a]), 4 * Eigen::Index(group[b]));
+          for(Eigen::Index l = 0; l < 4; ++l)
+            for(Eigen::Index k = 0; k < 4; ++k)
+              block(4 * a + k, 4 * b + l) =
+                inverse(4 * Eigen::Index(group[std::size_t(a)]) + k, 4 * Eigen::Index(group[std::size_t(b)]) + l);
       }
-      Eigen::MatrixXd residual = block.partialPivLu().solve(right);
-      for(Eigen::Index a = 0; a < g; ++a)
-        residual.middleRows<3>(4 * a + 1) /= m_scale;
+      Eigen::MatrixXd residual = solve_linear_systems(block, right);
+      for(Eigen::Index c = 0; c < residual.cols(); ++c)
+        for(Eigen::Index i = 0; i < 4 * g; ++i)
+          if(i % 4 > 0)
+            residual(i, c) /= m_scale;
       result.push_back(residual);
     }
     return result;
@@ -141,7 +153,7 @@ public:
       const Vector d = y - m_centers[j];
       const double r2 = d.squaredNorm(), r = std::sqrt(r2);
       const double alpha = c[4 * j];
-      const Vector beta = c.segment<3>(4 * j + 1);
+      const Vector beta(c[4 * j + 1], c[4 * j + 2], c[4 * j + 3]);
       const double db = d.dot(beta);
       sum += alpha * r2 * r - 3 * r * db;
       slope += (3 * r * alpha - (r > 0 ? 3 * db / r : 0.)) * d - 3 * r * beta;
@@ -168,7 +180,8 @@ public:
       const Vector d = y - m_centers[j];
       const double r2 = d.squaredNorm(), r = std::sqrt(r2);
       row[4 * j] = r2 * r;
-      row.segment<3>(4 * j + 1) = -3 * r * d.transpose();
+      for(Eigen::Index k = 0; k < 3; ++k)
+        row[4 * j + 1 + k] = -3 * r * d[k];
     }
     double q[terms]; Vector g[terms];
     polynomial(y, q, g);
@@ -202,7 +215,7 @@ private:
   double m_scale = 1;
   Vector m_origin = Vector::Zero();
   std::vector<Vector> m_centers;
-  Eigen::PartialPivLU<Eigen::MatrixXd> m_solver;
+  Linear_solver m_solver;
 };
 
 /// Values at scattered centres spread as by a membrane: kernel |x| with a constant, minimal oscillation.
@@ -244,7 +257,7 @@ public:
 private:
   std::vector<Vector> m_centers;
   double m_scale = 1;
-  Eigen::PartialPivLU<Eigen::MatrixXd> m_solver;
+  Linear_solver m_solver;
 };
 
 } // namespace internal

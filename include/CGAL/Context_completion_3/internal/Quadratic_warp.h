@@ -15,13 +15,14 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Closest_point_search.h>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -39,7 +40,7 @@ namespace internal {
 class Quadratic_warp
 {
 public:
-  typedef Eigen::Matrix<double, 10, 1> Monomials;      ///< x y z 1 xx yy zz xy xz yz
+  typedef std::array<double, 10> Monomials;            ///< x y z 1 xx yy zz xy xz yz
   typedef Eigen::Matrix<double, 10, 3> Coefficients;   ///< of the displacement
 
   /// The identity.
@@ -50,35 +51,39 @@ public:
 
   static Monomials monomials(const Vector& x)
   {
-    Monomials m;
-    m << x.x(), x.y(), x.z(), 1, x.x() * x.x(), x.y() * x.y(), x.z() * x.z(), x.x() * x.y(), x.x() * x.z(),
-         x.y() * x.z();
-    return m;
+    return {{x.x(), x.y(), x.z(), 1, x.x() * x.x(), x.y() * x.y(), x.z() * x.z(), x.x() * x.y(), x.x() * x.z(),
+             x.y() * x.z()}};
   }
 
   const Coefficients& coefficients() const { return m_coefficients; }
 
   Vector operator()(const Vector& p) const
   {
-    return p + m_scale * (m_coefficients.transpose() * monomials((p - m_center) / m_scale));
+    const Monomials m = monomials((p - m_center) / m_scale);
+    Vector shift = Vector::Zero();
+    for(int k = 0; k < 3; ++k)
+      for(int l = 0; l < 10; ++l)
+        shift[k] += m_coefficients(l, k) * m[std::size_t(l)];
+    return p + m_scale * shift;
   }
 
   /// A normal at `p` is moved by the cofactor matrix of the derivative; where the map folds it is left as it was.
   Vector normal(const Vector& p, const Vector& n) const
   {
     const Vector x = (p - m_center) / m_scale;
-    Eigen::Matrix<double, 10, 3> d = Eigen::Matrix<double, 10, 3>::Zero(); // derivatives of the monomials
-    d.topRows<3>().setIdentity();
+    Vector j[3]; // the columns of the derivative
     for(int k = 0; k < 3; ++k)
-      d(4 + k, k) = 2 * x[k];
-    d(7, 0) = x.y(); d(7, 1) = x.x();
-    d(8, 0) = x.z(); d(8, 2) = x.x();
-    d(9, 1) = x.z(); d(9, 2) = x.y();
-    const Matrix j = Matrix::Identity() + m_coefficients.transpose() * d;
-    Matrix cofactors;
-    cofactors << j.col(1).cross(j.col(2)), j.col(2).cross(j.col(0)), j.col(0).cross(j.col(1));
-    const Vector moved = cofactors * n;
-    return j.col(0).dot(cofactors.col(0)) > 0 && moved.norm() > 1e-6 ? Vector(moved.normalized()) : n;
+    {
+      const Coefficients& c = m_coefficients;
+      j[0][k] = c(0, k) + 2 * c(4, k) * x[0] + c(7, k) * x[1] + c(8, k) * x[2];
+      j[1][k] = c(1, k) + 2 * c(5, k) * x[1] + c(7, k) * x[0] + c(9, k) * x[2];
+      j[2][k] = c(2, k) + 2 * c(6, k) * x[2] + c(8, k) * x[0] + c(9, k) * x[1];
+    }
+    for(int k = 0; k < 3; ++k)
+      j[k][k] += 1;
+    const Vector first = j[1].cross(j[2]), second = j[2].cross(j[0]), third = j[0].cross(j[1]);
+    const Vector moved = n[0] * first + n[1] * second + n[2] * third;
+    return j[0].dot(first) > 0 && moved.norm() > 1e-6 ? Vector(moved.normalized()) : n;
   }
 
 private:
@@ -104,14 +109,16 @@ inline Quadratic_warp least_squares_quadratic_warp(const std::vector<Vector>& fr
   for(Eigen::Index i = 0; i < n; ++i)
   {
     const std::size_t k = std::size_t(i);
-    rows.row(i) = Quadratic_warp::monomials((from[k] - center) / scale).transpose();
-    right.row(i) = ((to[k] - from[k]) / scale).transpose();
+    const Quadratic_warp::Monomials m = Quadratic_warp::monomials((from[k] - center) / scale);
+    for(Eigen::Index l = 0; l < 10; ++l)
+      rows(i, l) = m[std::size_t(l)];
+    const Vector step = (to[k] - from[k]) / scale;
+    for(Eigen::Index l = 0; l < 3; ++l)
+      right(i, l) = step[l];
   }
   for(Eigen::Index k = 0; k < 6; ++k)
     rows(n + k, 4 + k) = std::sqrt(regularisation * double(n));
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(1e-6);
-  return Quadratic_warp(Quadratic_warp::Coefficients(svd.solve(right)), center, scale);
+  return Quadratic_warp(least_squares_by_svd(rows, right, 1e-6), center, scale);
 }
 
 /// How the warp is iterated.

@@ -14,11 +14,11 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Quadric_3.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -73,14 +73,6 @@ struct Fit_data
   }
 };
 
-/// Minimum-norm least squares solution; singular values below `cut` times the largest count as zero.
-inline Eigen::VectorXd solve_by_svd(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right, double cut)
-{
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(cut);
-  return svd.solve(right);
-}
-
 /// A unit vector orthogonal to the unit vector `n`.
 inline Vector any_orthogonal(const Vector& n)
 {
@@ -103,7 +95,7 @@ inline Quadric fit_bivariate_quadric(const Fit_data& data, bool plane = false, d
   const std::size_t unknowns = plane || data.size() < 6 ? 3 : 6;
   const double s = data.half_edge > 0 ? data.half_edge : 1;
   Eigen::MatrixXd rows(data.size(), unknowns);
-  Eigen::VectorXd right(data.size());
+  Eigen::MatrixXd right(data.size(), 1);
   for(std::size_t i = 0; i < data.size(); ++i)
   {
     const Eigen::Index r = Eigen::Index(i);
@@ -118,13 +110,15 @@ inline Quadric fit_bivariate_quadric(const Fit_data& data, bool plane = false, d
       rows(r, 4) = w * x[0] * x[1];
       rows(r, 5) = w * x[1] * x[1];
     }
-    right[r] = w * y.dot(n);
+    right(r, 0) = w * y.dot(n);
   }
-  const Eigen::VectorXd c = solve_by_svd(rows, right, cut);
+  const Eigen::MatrixXd c = least_squares_by_svd(rows, right, cut);
   Matrix a = Matrix::Zero();
   if(unknowns == 6)
-    a = -(c[3] * u * u.transpose() + 0.5 * c[4] * (u * v.transpose() + v * u.transpose()) + c[5] * v * v.transpose());
-  return make_quadric(a, n - c[1] * u - c[2] * v, -c[0], o, s);
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        a(i, j) = -(c(3, 0) * u[i] * u[j] + 0.5 * c(4, 0) * (u[i] * v[j] + v[i] * u[j]) + c(5, 0) * v[i] * v[j]);
+  return make_quadric(a, n - c(1, 0) * u - c(2, 0) * v, -c(0, 0), o, s);
 }
 
 /*!
@@ -169,23 +163,24 @@ inline bool fit_general_quadric(const Fit_data& data, Quadric& q, double auxilia
     all += w;
   const Eigen::Index number = Eigen::Index(data.size() + auxiliary.size());
   Eigen::MatrixXd rows(number, 10);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(number);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(number, 1);
   for(Eigen::Index r = 0; r < number; ++r)
   {
     const bool is_point = std::size_t(r) < data.size();
     const std::size_t i = is_point ? std::size_t(r) : std::size_t(r) - data.size();
     const Vector y = is_point ? Vector((data.position(i) - data.center) / s) : auxiliary[i].first;
     const double w = std::sqrt(is_point ? data.weights[i] / all : auxiliary_weight / double(auxiliary.size()));
-    rows.row(r) << y.x() * y.x(), y.y() * y.y(), y.z() * y.z(), y.x() * y.y(), y.x() * y.z(), y.y() * y.z(),
-                   y.x(), y.y(), y.z(), 1;
-    rows.row(r) *= w;
+    const double row[10] = { y.x() * y.x(), y.y() * y.y(), y.z() * y.z(), y.x() * y.y(), y.x() * y.z(), y.y() * y.z(),
+                             y.x(), y.y(), y.z(), 1 };
+    for(Eigen::Index k = 0; k < 10; ++k)
+      rows(r, k) = w * row[k];
     if(!is_point)
-      right[r] = w * auxiliary[i].second;
+      right(r, 0) = w * auxiliary[i].second;
   }
-  const Eigen::VectorXd c = solve_by_svd(rows, right, cut);
+  const Eigen::MatrixXd c = least_squares_by_svd(rows, right, cut);
   Matrix a;
-  a << c[0], c[3] / 2, c[4] / 2, c[3] / 2, c[1], c[5] / 2, c[4] / 2, c[5] / 2, c[2];
-  q = make_quadric(a, Vector(c[6], c[7], c[8]), c[9], data.center, s);
+  a << c(0, 0), c(3, 0) / 2, c(4, 0) / 2, c(3, 0) / 2, c(1, 0), c(5, 0) / 2, c(4, 0) / 2, c(5, 0) / 2, c(2, 0);
+  q = make_quadric(a, Vector(c(6, 0), c(7, 0), c(8, 0)), c(9, 0), data.center, s);
   return true;
 }
 

@@ -15,10 +15,8 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Closest_point_search.h>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
-
-#include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <cmath>
 #include <cstddef>
@@ -58,10 +56,7 @@ inline Rigid_motion least_squares_rigid_motion(const std::vector<Vector>& from, 
   Matrix covariance = Matrix::Zero();
   for(std::size_t i = 0; i < from.size(); ++i)
     covariance += (to[i] - to_center) * (from[i] - from_center).transpose();
-  const Eigen::JacobiSVD<Matrix> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  // the least singular direction is flipped where the best orthogonal matrix is a reflection
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  motion.rotation = svd.matrixU() * Vector(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  motion.rotation = nearest_rotation(covariance);
   motion.translation = to_center - motion.rotation * from_center;
   return motion;
 }

@@ -15,10 +15,9 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -296,7 +295,7 @@ private:
     center /= double(number);
     // keeps the place near where all directions are parallel
     const double weight = 0.01 * double(number);
-    const Vector place = (sum + weight * Matrix::Identity()).ldlt().solve(right + weight * center);
+    const Vector place = solve_damped_system(sum + weight * Matrix::Identity(), right + weight * center);
     return std::all_of(members.begin(), members.end(), [&](const Rim_loop& loop) {
       return loop.opening(m_model.points(), place) >= least_opening(); });
   }

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 #include <CGAL/Context_completion_3/internal/Polyharmonic_base.h>
-
-#include <Eigen/Dense>
 
 #include <cmath>
 #include <cstddef>
@@ -69,12 +69,14 @@ public:
       if(nugget > 0 && n < least_number())
         break;
       Eigen::MatrixXd a = Eigen::MatrixXd::Ones(n + 1, n + 1);
-      a.topLeftCorner(n, n) = -distances / spacing;
-      a.diagonal().head(n).array() += nugget;
+      for(Eigen::Index k = 0; k < n; ++k)
+        for(Eigen::Index i = 0; i < n; ++i)
+          a(i, k) = -distances(i, k) / spacing;
+      add_to_diagonal(a, n, nugget);
       a(n, n) = 0;
-      const Eigen::MatrixXd inverse = a.partialPivLu().inverse();
+      const Eigen::MatrixXd inverse = inverse_matrix(a);
       m_stiffnesses.emplace_back();
-      m_stiffnesses.back().spread = kernel * inverse.leftCols(n);
+      m_stiffnesses.back().spread = matrix_product(kernel, inverse.leftCols(n));
       m_stiffnesses.back().left_out = left_out(inverse.topLeftCorner(n, n), distances, reach);
     }
   }
@@ -82,7 +84,7 @@ public:
   /// Takes all values at the rim for granted.
   Eigen::VectorXd interpolated(const Eigen::VectorXd& values) const
   {
-    return m_stiffnesses.empty() ? Eigen::VectorXd() : Eigen::VectorXd(m_stiffnesses.front().spread * values);
+    return m_stiffnesses.empty() ? Eigen::VectorXd() : matrix_vector_product(m_stiffnesses.front().spread, values);
   }
 
   /// Values at the samples from those at the rim, as stiff as these predict each other best; a rim of few centres cannot
@@ -92,10 +94,10 @@ public:
     if(m_stiffnesses.size() < 2)
       return interpolated(values);
     const Stiffness* best = nullptr;
-    double least = values.cwiseAbs().mean();
+    double least = mean_absolute_value(values);
     for(const Stiffness& stiffness : m_stiffnesses)
     {
-      const double error = (stiffness.left_out * values).cwiseAbs().mean();
+      const double error = mean_absolute_value(matrix_vector_product(stiffness.left_out, values));
       if(error < least)
       {
         least = error;
@@ -104,7 +106,7 @@ public:
     }
     if(best == nullptr)
       return Eigen::VectorXd::Zero(m_stiffnesses.front().spread.rows());
-    return best->spread * values;
+    return matrix_vector_product(best->spread, values);
   }
 
 private:
@@ -129,7 +131,7 @@ private:
         for(Eigen::Index q = 0; q < b; ++q)
           own(p, q) = inverse(block[std::size_t(p)], block[std::size_t(q)]);
       }
-      result.row(i) = own.partialPivLu().solve(rows).row(0);
+      result.row(i) = solve_linear_systems(own, rows).row(0);
     }
     return result;
   }

@@ -16,7 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,10 +53,10 @@ public:
         add(1 + kappa(), weights[i]);
         continue;
       }
-      Eigen::Vector4d d = other.rim.template segment<4>(4 * Eigen::Index(i));
-      if(place != nullptr)
-        d -= place->rim.template segment<4>(4 * Eigen::Index(i));
-      const double slope = d.template tail<3>().norm();
+      double d[4];
+      for(Eigen::Index k = 0; k < 4; ++k)
+        d[k] = other.rim[4 * Eigen::Index(i) + k] - (place != nullptr ? place->rim[4 * Eigen::Index(i) + k] : 0.);
+      const double slope = Vector(d[1], d[2], d[3]).norm();
       add(of_height(d[0]) + kappa() * (std::min)(1., slope * slope / 2), weights[i]);
     }
   }

@@ -20,6 +20,7 @@
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -33,7 +34,7 @@ struct Base_center
 {
   Vector position = Vector::Zero();
   Vector normal = Vector::Zero();
-  Eigen::Vector4d by_normals = Eigen::Vector4d::Zero(); ///< height and its gradient of the fit that uses normals, too
+  std::array<double, 4> by_normals = {}; ///< height and its gradient of the fit that uses normals, too
   double distance = 0;         ///< to the rim
 };
 

@@ -16,8 +16,9 @@
 
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +98,7 @@ public:
     const auto missed = [&](std::size_t k)
     {
       const Eigen::Index best = Eigen::Index(statistics.ranking(k).front());
-      return std::log((rim.col(statistics.column(k)) - rim.col(best)).cwiseAbs().mean() + floor);
+      return std::log(mean_absolute_value(rim.col(statistics.column(k)) - rim.col(best)) + floor);
     };
     if(!statistics.is_sufficient())
       return false;

@@ -131,7 +131,8 @@ public:
     for(const std::vector<Base_center>* part : { &centers(), &guides() })
       for(const Base_center& c : *part)
       {
-        data.block<3, 1>(row, 0) = c.normal;
+        for(Eigen::Index k = 0; k < 3; ++k)
+          data(row + k, 0) = c.normal[k];
         row += 4;
       }
     return data;

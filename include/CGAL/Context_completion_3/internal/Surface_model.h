@@ -15,14 +15,15 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Normal_equations.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <CGAL/for_each.h>
 
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_set>
 #include <vector>
@@ -38,12 +39,11 @@ struct Surface_element
   Vector normal = Vector::Zero();
 
   /// Height of the tangent plane over `foot` along `axis`, which it faces, and the gradient of that height.
-  Eigen::Vector4d height_over(const Vector& foot, const Vector& axis) const
+  std::array<double, 4> height_over(const Vector& foot, const Vector& axis) const
   {
     const double facing = normal.dot(axis);
-    Eigen::Vector4d result;
-    result << normal.dot(position - foot) / facing, axis - normal / facing;
-    return result;
+    const Vector gradient = axis - normal / facing;
+    return {{normal.dot(position - foot) / facing, gradient[0], gradient[1], gradient[2]}};
   }
 };
 
@@ -109,8 +109,7 @@ public:
   }
 
 private:
-  typedef Eigen::Matrix<double, 6, 6> Matrix_6;
-  typedef Eigen::Matrix<double, 6, 1> Vector_6;
+  typedef Normal_equations<6> Equations;
 
   // Of a slope, a height having 1, with the radius for unit of length. A third to three times as much hardly differs.
   static double slope_weight() { return 0.3; }
@@ -121,8 +120,7 @@ private:
   {
     m_search.in_ball(q, radius, buffer);
     Vector u = axis.unitOrthogonal(), v = axis.cross(u);
-    Matrix_6 normal_matrix = Matrix_6::Zero(), slope_matrix = Matrix_6::Zero();
-    Vector_6 right = Vector_6::Zero(), slope_right = Vector_6::Zero();
+    Equations equations, slopes;
     std::size_t count = 0;
     double total = 0;
     for(std::size_t i : buffer)
@@ -133,40 +131,34 @@ private:
       const Vector d = (m_points.position[i] - q) / radius;
       const double x = d.dot(u), y = d.dot(v), z = d.dot(axis);
       const double weight = std::exp(-3. * d.squaredNorm());
-      Vector_6 row;
-      row << 1, x, y, x * x, x * y, y * y;
-      normal_matrix.noalias() += weight * row * row.transpose();
-      right += weight * z * row;
+      equations.add({{1, x, y, x * x, x * y, y * y}}, z, weight);
       total += weight;
       ++count;
       if(by_normals == nullptr)
         continue;
-      Vector_6 along_u, along_v;
-      along_u << 0, 1, 0, 2 * x, y, 0;
-      along_v << 0, 0, 1, 0, x, 2 * y;
-      slope_matrix.noalias() += weight * (along_u * along_u.transpose() + along_v * along_v.transpose());
-      slope_right -= weight / facing * (m_points.normal[i].dot(u) * along_u + m_points.normal[i].dot(v) * along_v);
+      slopes.add({{0, 1, 0, 2 * x, y, 0}}, -m_points.normal[i].dot(u) / facing, weight);
+      slopes.add({{0, 0, 1, 0, x, 2 * y}}, -m_points.normal[i].dot(v) / facing, weight);
     }
     if(count == 0 || total <= 0)
       return false;
-    const int terms = count >= 10 ? 6 : (count >= 5 ? 3 : 1);
-    const auto solve = [&](const Matrix_6& matrix, const Vector_6& right_side, Surface_element& result)
+    const std::size_t terms = count >= 10 ? 6 : (count >= 5 ? 3 : 1);
+    const auto solve = [&](Surface_element& result)
     {
-      Vector_6 c = Vector_6::Zero();
-      Eigen::MatrixXd a = matrix.topLeftCorner(terms, terms);
-      a.diagonal().array() += 1e-9 * total;
-      c.head(terms) = a.ldlt().solve(right_side.head(terms));
-      if(!c.allFinite() || std::abs(c[0]) > 1.)
+      const Equations::Row c = equations.solve(terms, 1e-9 * total);
+      if(std::abs(c[0]) > 1. || !std::all_of(c.begin(), c.end(), [](double x) { return std::isfinite(x); }))
         return false;
       result.position = q + radius * c[0] * axis;
       result.normal = (axis - c[1] * u - c[2] * v).normalized();
       return true;
     };
-    if(!solve(normal_matrix, right, by_positions))
+    if(!solve(by_positions))
       return false;
-    if(by_normals != nullptr &&
-       !solve(normal_matrix + slope_weight() * slope_matrix, right + slope_weight() * slope_right, *by_normals))
-      *by_normals = by_positions;
+    if(by_normals != nullptr)
+    {
+      equations.add(slopes, slope_weight());
+      if(!solve(*by_normals))
+        *by_normals = by_positions;
+    }
     return true;
   }
 
