@@ -104,13 +104,13 @@ public:
         if(number_of_examples(m_sources[s], cell) >= surface.minimum_points())
           m_candidates.emplace_back(s, cell);
     }
-    m_signatures.resize(Cell_signature::size, Eigen::Index(m_candidates.size()));
+    m_signatures.resize(m_candidates.size());
     m_invariants.resize(m_candidates.size());
     for(std::size_t i = 0; i < m_candidates.size(); ++i)
     {
       const Cell_surface& surface = *m_sources[m_candidates[i].first].surface;
       const Cell_signature signature = cell_signature(surface, m_candidates[i].second);
-      m_signatures.col(Eigen::Index(i)) = signature.vector;
+      m_signatures[i] = signature.vector;
       m_invariants[i] = Invariants(signature);
     }
   }
@@ -145,7 +145,7 @@ public:
         break;
       for(std::size_t g = 0; g < targets.size(); ++g)
       {
-        const double d = signature_distance(targets[g], m_signatures.col(Eigen::Index(next.second)), weights);
+        const double d = signature_distance(targets[g], m_signatures[next.second], weights);
         if(!(d < best.distance || (d == best.distance && next.second < best_index)))
           continue;
         best.distance = d;
@@ -210,17 +210,20 @@ private:
   private:
     static void read(const Cell_signature& signature, int distances, int directions, float* values)
     {
-      const auto s = signature.vector.segment<27>(distances);
-      values[0] = s.mean();
-      values[1] = (s.array() - values[0]).matrix().norm();
-      Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+      const float* s = signature.vector.data();
+      float mean = 0, means[3] = {0, 0, 0}, spread = 0, spreads = 0;
       for(int i = 0; i < 27; ++i)
-        mean += signature.vector.segment<3>(directions + 3 * i) / 27.f;
-      float spread = 0;
+        mean += s[distances + i] / 27.f;
+      for(int i = 0; i < 81; ++i)
+        means[i % 3] += s[directions + i] / 27.f;
       for(int i = 0; i < 27; ++i)
-        spread += (signature.vector.segment<3>(directions + 3 * i) - mean).squaredNorm();
-      values[2] = mean.norm();
-      values[3] = std::sqrt(spread);
+        spread += (s[distances + i] - mean) * (s[distances + i] - mean);
+      for(int i = 0; i < 81; ++i)
+        spreads += (s[directions + i] - means[i % 3]) * (s[directions + i] - means[i % 3]);
+      values[0] = mean;
+      values[1] = std::sqrt(spread);
+      values[2] = std::sqrt(means[0] * means[0] + means[1] * means[1] + means[2] * means[2]);
+      values[3] = std::sqrt(spreads);
     }
 
     std::array<float, 8> m_values = {};
@@ -230,7 +233,7 @@ private:
   std::size_t m_maximum_evaluations;
   std::vector<Candidate_source> m_sources;
   std::vector<std::pair<std::size_t, Cell> > m_candidates;
-  Eigen::MatrixXf m_signatures;                       // one column a candidate
+  std::vector<Cell_signature::Components> m_signatures;
   std::vector<Invariants> m_invariants;
 };
 

@@ -60,13 +60,19 @@ struct Cell_signature
     const Vector g = axes.transpose() * f.gradient(p);
     const double length = g.norm();
     if(length > 0)
-      vector.segment<3>(direction) = (g / length).cast<float>();
+      for(int k = 0; k < 3; ++k)
+        vector[direction + k] = float(g[k] / length);
   }
 
   /// The signature of the cell whose content is this one's, moved by the symmetry.
   Cell_signature transformed(const Cell_symmetry& symmetry) const
   {
-    const Eigen::Matrix3f m = symmetry.matrix().cast<float>();
+    const auto turn = [&](int from, int to, Components& turned)
+    {
+      for(int r = 0; r < 3; ++r)
+        for(int c = 0; c < 3; ++c)
+          turned[to + r] += float(symmetry.matrix()(r, c)) * vector[from + c];
+    };
     Cell_signature result;
     for(std::size_t i = 0; i < 27; ++i)
     {
@@ -74,8 +80,8 @@ struct Cell_signature
       result.vector[inner_distance + to] = vector[inner_distance + from];
       result.vector[outer_distance + to] = vector[outer_distance + from];
       result.vector[detail + to] = vector[detail + from];
-      result.vector.segment<3>(inner_direction + 3 * to) = m * vector.segment<3>(inner_direction + 3 * from);
-      result.vector.segment<3>(outer_direction + 3 * to) = m * vector.segment<3>(outer_direction + 3 * from);
+      turn(inner_direction + 3 * from, inner_direction + 3 * to, result.vector);
+      turn(outer_direction + 3 * from, outer_direction + 3 * to, result.vector);
     }
     return result;
   }
@@ -126,19 +132,16 @@ struct Signature_weights
   }
 };
 
-/// Equations 1 to 3, over any two vectors laid out as a signature.
-template <typename A, typename B>
-double signature_distance(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b,
-                          const Signature_weights& weights)
+/// Equations 1 to 3.
+inline double signature_distance(const Cell_signature::Components& a, const Cell_signature::Components& b,
+                                 const Signature_weights& weights)
 {
   typedef Cell_signature S;
+  typedef Eigen::Map<const Eigen::VectorXf> Part;
+  const auto norm = [&](int first, int number)
+    { return double((Part(a.data() + first, number) - Part(b.data() + first, number)).norm()); };
   const auto part = [&](int distances, int directions)
-  {
-    return weights.distance
-             * double((a.template segment<27>(distances) - b.template segment<27>(distances)).norm())
-         + (1 - weights.distance)
-             * double((a.template segment<81>(directions) - b.template segment<81>(directions)).norm());
-  };
+    { return weights.distance * norm(distances, 27) + (1 - weights.distance) * norm(directions, 81); };
   double squared_detail = 0; // over the elements defined in both
   for(int i = S::detail; i < S::size; ++i)
     if(a[i] >= 0 && b[i] >= 0)

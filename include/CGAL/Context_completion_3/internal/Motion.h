@@ -76,9 +76,13 @@ struct Surface_frame
   /// The motion that carries `source` onto this frame, reflected at the plane of axis and normal if `mirrored`.
   Motion motion_from(const Surface_frame& source, bool mirrored) const
   {
+    const Vector across = normal.cross(axis), source_across = (mirrored ? -1. : 1.) * source.normal.cross(source.axis);
     Matrix to, from;
-    to << axis, normal.cross(axis), normal;
-    from << source.axis, (mirrored ? -1. : 1.) * source.normal.cross(source.axis), source.normal;
+    for(int k = 0; k < 3; ++k)
+    {
+      to(k, 0) = axis[k]; to(k, 1) = across[k]; to(k, 2) = normal[k];
+      from(k, 0) = source.axis[k]; from(k, 1) = source_across[k]; from(k, 2) = source.normal[k];
+    }
     Motion result;
     result.linear = to * from.transpose();
     result.translation = origin - result.linear * source.origin;
