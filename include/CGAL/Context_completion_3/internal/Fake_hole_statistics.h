@@ -18,7 +18,7 @@
 #include <CGAL/Context_completion_3/internal/Filling_plan.h>
 #include <CGAL/Context_completion_3/internal/Place.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@
 #include <CGAL/Context_completion_3/internal/Place.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <vector>

@@ -18,7 +18,7 @@
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Weighted_quantile.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

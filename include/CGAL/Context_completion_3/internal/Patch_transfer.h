@@ -21,7 +21,7 @@
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 #include <CGAL/Context_completion_3/internal/Thinned_points.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>

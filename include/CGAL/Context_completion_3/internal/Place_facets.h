@@ -24,7 +24,7 @@
 #include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>

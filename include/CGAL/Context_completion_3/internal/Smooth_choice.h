@@ -19,7 +19,7 @@
 #include <CGAL/Context_completion_3/internal/Fake_hole_statistics.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
