@@ -124,6 +124,7 @@ private:
   static constexpr double probe_room() { return 1.1; }
   static constexpr double link() { return 2.7; }
   static constexpr double fold_distance() { return 1.2; }
+  static constexpr double edge_distance() { return 1.6; }
   static constexpr double largest_angle() { return 110. / 180. * 3.14159265358979323846; }
 
   Vector free_direction(std::size_t i) const
@@ -133,6 +134,7 @@ private:
     std::vector<std::size_t> ball;
     m_model.search().in_ball(p, radius, ball);
     std::vector<Vector> around, behind;
+    std::vector<std::size_t> beside;
     Vector mean = Vector::Zero();
     bool is_at_fold = false;
     for(std::size_t j : ball)
@@ -140,6 +142,8 @@ private:
       {
         around.push_back(m_model.position(j));
         mean += around.back();
+        if((around.back() - p).norm() < edge_distance() * m_model.area_spacing(i))
+          beside.push_back(j);
       }
       else
       {
@@ -177,8 +181,10 @@ private:
     if(gap < largest_angle())
       return Vector::Zero();
     const Vector direction = std::cos(middle) * u + std::sin(middle) * v;
-    // The surface goes on around an acute edge. Where the other side goes on below the empty place, it is a thin plate
-    // with a hole in this side.
+    // The surface goes on around an acute edge. On such an edge, where meshes have points, this is where the normal leads.
+    if(direction.dot(m_model.normal(i)) > 0.5 && are_two_sides(beside))
+      return Vector::Zero();
+    // Where the other side goes on below the empty place, it is a thin plate with a hole in this side.
     const auto is_ahead = [&](const Vector& q)
       { return (q - p).dot(direction) > probe_distance() * m_model.area_spacing(i); };
     if(is_at_fold && std::none_of(behind.begin(), behind.end(), is_ahead))
@@ -189,6 +195,32 @@ private:
          (m_model.position(j) - probe).norm() < probe_room() * m_model.area_spacing(i))
         return Vector::Zero();
     return direction;
+  }
+
+  // The normal of a point on an acute edge is one between those of the faces, and both of these are beside it.
+  bool are_two_sides(const std::vector<std::size_t>& points) const
+  {
+    for(std::size_t k = 0; k < points.size(); ++k)
+      for(std::size_t l = 0; l < k; ++l)
+        if(!is_same_side(m_model.normal(points[k]), m_model.normal(points[l])))
+          return true;
+    return false;
+  }
+
+  // Whether two rim points may follow each other. Along a curve that turns, both are led towards the other, or both away
+  // from it. With a narrow strip of the surface between two empty places, as a hole and the border, there are pairs that
+  // turn much in all other ways. Across a narrow slot both are led towards each other.
+  bool bound_one_place(std::size_t a, std::size_t b, const std::vector<Vector>& outward) const
+  {
+    const double cosine = outward[a].dot(outward[b]);
+    // what leads away from a wall may well be above or below it
+    if(cosine > 0.5 || m_model.normal(a).dot(m_model.normal(b)) < 0.9)
+      return true;
+    const Vector way = (m_model.position(b) - m_model.position(a)).normalized();
+    const double towards_b = outward[a].dot(way), towards_a = -outward[b].dot(way);
+    if(towards_a + towards_b < -0.5 || std::abs(towards_a - towards_b) > 1)
+      return false;
+    return cosine > -0.5 || (towards_a > 0.3 && towards_b > 0.3);
   }
 
   std::vector<Rim_loop> connect(const std::vector<Vector>& outward) const
@@ -216,7 +248,8 @@ private:
         const std::size_t a = rim[members[k]];
         search.in_ball(m_model.position(a), link() * m_model.area_spacing(a), ball);
         for(std::size_t b : ball)
-          if(!seen[b] && is_same_side(m_model.normal(a), m_model.normal(rim[b])))
+          if(!seen[b] && is_same_side(m_model.normal(a), m_model.normal(rim[b])) &&
+             bound_one_place(a, rim[b], outward))
           {
             seen[b] = 1;
             members.push_back(b);
