@@ -9,7 +9,7 @@
 //
 // Author(s)     : The Context_completion_3 authors
 
-// Rims beside other rims and beside acute edges.
+// Rims beside acute edges, and around narrow slots.
 
 #include "include/engine_samples.h"
 
@@ -49,17 +49,6 @@ std::vector<Hole> holes_of(const Surface_model<Tag>& model)
   return holes;
 }
 
-/// A sheet with a slot of five rows along its border, which some rows of points separate it from.
-samples::Samples sheet_with_slot(std::size_t rows_between)
-{
-  samples::Samples sheet;
-  const double lower = double(rows_between) * row_distance, upper = lower + 5 * row_distance;
-  for(const samples::Oriented_point& s : samples::plane(30))
-    if(!(s.first.y() > lower && s.first.y() < upper && s.first.x() > 8 && s.first.x() < 22))
-      sheet.push_back(s);
-  return sheet;
-}
-
 /*!
   Two faces of a solid, 20 by 30 spacings, that meet along the y axis at an acute angle, and points on the edge with
   normals between those of the faces, as the vertices of a mesh have.
@@ -89,48 +78,6 @@ samples::Samples wedge(double degrees)
 bool is_below(const Vector& position) { return position.z() < 0.01; }
 
 } // namespace
-
-TEST(Rims, Of_a_hole_and_of_the_border_beside_it_are_two)
-{
-  for(std::size_t rows : { 3, 4 })
-  {
-    SCOPED_TRACE(std::to_string(rows) + " rows of points between them");
-    const Surface_points points = samples::engine_points(sheet_with_slot(rows));
-    const Surface_model<Tag> model(points);
-    const std::vector<Hole> holes = holes_of(model);
-    ASSERT_EQ(holes.size(), 1u);
-    for(const Rim_loop& loop : holes[0].loops)
-      for(const Rim_point& p : loop.points)
-      {
-        const Vector& x = points.position[p.index];
-        EXPECT_TRUE(x.x() > 6.5 && x.x() < 23.5 && x.y() > row_distance && x.y() < double(rows + 7) * row_distance)
-          << x.transpose();
-      }
-    for(const Base_sample& s : holes[0].patch->samples())
-      EXPECT_TRUE(s.position.x() > 7 && s.position.x() < 23 && s.position.y() > double(rows - 1) * row_distance &&
-                  s.position.y() < double(rows + 6) * row_distance) << s.position.transpose();
-  }
-}
-
-TEST(Rims, Two_holes_beside_each_other_are_two)
-{
-  for(double between : { 2.2, 2.8 })
-  {
-    SCOPED_TRACE(std::to_string(between) + " spacings between");
-    samples::Samples sheet = samples::plane(30);
-    for(double side : { -1., 1. })
-      sheet = samples::without_ball(sheet, samples::Point(15 + side * (4 + between / 2), 13, 0), 4.);
-    const Surface_points points = samples::engine_points(sheet);
-    const Surface_model<Tag> model(points);
-    const std::vector<Hole> holes = holes_of(model);
-    ASSERT_EQ(holes.size(), 2u);
-    for(const Hole& hole : holes)
-    {
-      ASSERT_EQ(hole.loops.size(), 1u);
-      EXPECT_LT(hole.loops[0].diameter, 11.);
-    }
-  }
-}
 
 TEST(Rims, Across_a_narrow_slot_are_one)
 {

@@ -180,7 +180,7 @@ private:
       for(Eigen::Index k = 0; k < 3; ++k)
         weighted(k, i) *= m_weights[i];
     Eigen::MatrixXd normal = matrix_product(weighted, outer);
-    add_to_diagonal(normal, 3, 1e-12 * normal.trace()); // were all on a line
+    add_to_diagonal(normal, 3, 1e-12 * normal.trace()); // all may be on a line
     m_planes = solve_linear_systems(normal, matrix_product(weighted, m_around));
     m_around -= matrix_product(outer, m_planes);
     m_inside -= matrix_product(m_linear, m_planes.leftCols(n));

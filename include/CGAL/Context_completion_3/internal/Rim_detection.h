@@ -207,22 +207,6 @@ private:
     return false;
   }
 
-  // Whether two rim points may follow each other. Along a curve that turns, both are led towards the other, or both away
-  // from it. With a narrow strip of the surface between two empty places, as a hole and the border, there are pairs that
-  // turn much in all other ways. Across a narrow slot both are led towards each other.
-  bool bound_one_place(std::size_t a, std::size_t b, const std::vector<Vector>& outward) const
-  {
-    const double cosine = outward[a].dot(outward[b]);
-    // what leads away from a wall may well be above or below it
-    if(cosine > 0.5 || m_model.normal(a).dot(m_model.normal(b)) < 0.9)
-      return true;
-    const Vector way = (m_model.position(b) - m_model.position(a)).normalized();
-    const double towards_b = outward[a].dot(way), towards_a = -outward[b].dot(way);
-    if(towards_a + towards_b < -0.5 || std::abs(towards_a - towards_b) > 1)
-      return false;
-    return cosine > -0.5 || (towards_a > 0.3 && towards_b > 0.3);
-  }
-
   std::vector<Rim_loop> connect(const std::vector<Vector>& outward) const
   {
     std::vector<std::size_t> rim;
@@ -248,8 +232,7 @@ private:
         const std::size_t a = rim[members[k]];
         search.in_ball(m_model.position(a), link() * m_model.area_spacing(a), ball);
         for(std::size_t b : ball)
-          if(!seen[b] && is_same_side(m_model.normal(a), m_model.normal(rim[b])) &&
-             bound_one_place(a, rim[b], outward))
+          if(!seen[b] && is_same_side(m_model.normal(a), m_model.normal(rim[b])))
           {
             seen[b] = 1;
             members.push_back(b);
