@@ -124,7 +124,6 @@ private:
   static constexpr double probe_room() { return 1.1; }
   static constexpr double link() { return 2.7; }
   static constexpr double fold_distance() { return 1.2; }
-  static constexpr double edge_distance() { return 1.6; }
   static constexpr double largest_angle() { return 110. / 180. * 3.14159265358979323846; }
 
   Vector free_direction(std::size_t i) const
@@ -134,7 +133,6 @@ private:
     std::vector<std::size_t> ball;
     m_model.search().in_ball(p, radius, ball);
     std::vector<Vector> around, behind;
-    std::vector<std::size_t> beside;
     Vector mean = Vector::Zero();
     bool is_at_fold = false;
     for(std::size_t j : ball)
@@ -142,8 +140,6 @@ private:
       {
         around.push_back(m_model.position(j));
         mean += around.back();
-        if((around.back() - p).norm() < edge_distance() * m_model.area_spacing(i))
-          beside.push_back(j);
       }
       else
       {
@@ -181,10 +177,8 @@ private:
     if(gap < largest_angle())
       return Vector::Zero();
     const Vector direction = std::cos(middle) * u + std::sin(middle) * v;
-    // The surface goes on around an acute edge. On such an edge, where meshes have points, this is where the normal leads.
-    if(direction.dot(m_model.normal(i)) > 0.5 && are_two_sides(beside))
-      return Vector::Zero();
-    // Where the other side goes on below the empty place, it is a thin plate with a hole in this side.
+    // The surface goes on around an acute edge. Where the other side goes on below the empty place, it is a thin plate
+    // with a hole in this side.
     const auto is_ahead = [&](const Vector& q)
       { return (q - p).dot(direction) > probe_distance() * m_model.area_spacing(i); };
     if(is_at_fold && std::none_of(behind.begin(), behind.end(), is_ahead))
@@ -195,16 +189,6 @@ private:
          (m_model.position(j) - probe).norm() < probe_room() * m_model.area_spacing(i))
         return Vector::Zero();
     return direction;
-  }
-
-  // The normal of a point on an acute edge is one between those of the faces, and both of these are beside it.
-  bool are_two_sides(const std::vector<std::size_t>& points) const
-  {
-    for(std::size_t k = 0; k < points.size(); ++k)
-      for(std::size_t l = 0; l < k; ++l)
-        if(!is_same_side(m_model.normal(points[k]), m_model.normal(points[l])))
-          return true;
-    return false;
   }
 
   std::vector<Rim_loop> connect(const std::vector<Vector>& outward) const
