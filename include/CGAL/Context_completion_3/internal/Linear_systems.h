@@ -14,7 +14,6 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
-#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <CGAL/determinant.h>
@@ -48,7 +47,7 @@ inline Eigen::VectorXd solve_linear_system(const Eigen::MatrixXd& a, const Eigen
 
 inline Eigen::MatrixXd inverse_matrix(const Eigen::MatrixXd& a)
 {
-  return solve_linear_systems(a, identity_matrix(a.rows()));
+  return solve_linear_systems(a, Eigen::MatrixXd::Identity(a.rows(), a.rows()));
 }
 
 /// By Cramer's rule, which is good enough for damped systems: their condition is that of the damping.

@@ -34,20 +34,14 @@ inline Eigen::VectorXd matrix_vector_product(const Eigen::MatrixXd& a, const Eig
   return a * v;
 }
 
-inline Eigen::MatrixXd identity_matrix(Eigen::Index n)
-{
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
-  for(Eigen::Index i = 0; i < n; ++i)
-    result(i, i) = 1;
-  return result;
-}
-
+/// To the first `rows` entries.
 inline void add_to_diagonal(Eigen::MatrixXd& a, Eigen::Index rows, double value)
 {
   for(Eigen::Index i = 0; i < rows; ++i)
     a(i, i) += value;
 }
 
+/// The same vector to each column.
 inline void add_to_columns(Eigen::MatrixXd& a, const Eigen::VectorXd& v)
 {
   for(Eigen::Index k = 0; k < a.cols(); ++k)

@@ -15,7 +15,6 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Linear_systems.h>
-#include <CGAL/Context_completion_3/internal/Matrix_operations.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <cmath>
@@ -105,7 +104,8 @@ public:
   {
     const Eigen::Index n = Eigen::Index(m_centers.size());
     const Eigen::MatrixXd coefficients = solve(data).topRows(4 * n);
-    const Eigen::MatrixXd inverse = m_solver.solve(identity_matrix(4 * n + terms));
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(4 * n + terms, 4 * n + terms);
+    const Eigen::MatrixXd inverse = m_solver.solve(identity);
     std::vector<Eigen::MatrixXd> result;
     for(const std::vector<std::size_t>& group : groups)
     {
