@@ -234,8 +234,8 @@ inline void print_usage(std::ostream& stream)
   stream << "Completes the holes of a surface that is given as points, by copies of matching parts of it.\n\n"
             "  context_complete INPUT OUTPUT [options]\n"
             "  context_complete INPUT --list [--json] [options]\n\n"
-            "Files are .ply, .xyz, .pwn, .off or .las. OUTPUT holds the points of INPUT, then the new ones; in PLY\n"
-            "they have the integer properties hole and source, which are -1 at the points of INPUT.\n"
+            "Files are .ply, .xyz, .pwn, .off or .las; INPUT may also be .obj. OUTPUT holds the points of INPUT, then\n"
+            "the new ones; in PLY they have the integer properties hole and source, which are -1 at the points of INPUT.\n"
          << internal::visible_options()
          << "\nExit codes: 0 done, also when there is no hole; 1 bad input or output; 2 wrong use.\n";
 }

@@ -26,7 +26,7 @@ typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
 typedef CGAL::Point_set_3<Point> Point_set;
 
-enum class Format { ply, xyz, off, las };
+enum class Format { ply, xyz, off, obj, las };
 
 /*!
   What is around the points of a LAS file: everything before the first record (header, projection, ...) and after the

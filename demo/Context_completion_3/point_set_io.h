@@ -17,6 +17,7 @@
 #include "ply_header.h"
 #include "point_file.h"
 
+#include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/io.h>
@@ -73,10 +74,12 @@ inline Format format_of(const std::string& name)
     return Format::xyz;
   if(extension == ".off")
     return Format::off;
+  if(extension == ".obj")
+    return Format::obj;
   if(extension == ".las" || extension == ".laz")
     return Format::las;
   throw Failure(name + ": unknown format" + (extension.empty() ? std::string() : " " + extension)
-                + "; known are .ply, .xyz, .pwn, .off and .las");
+                + "; known are .ply, .xyz, .pwn, .off, .obj and .las");
 }
 
 /// The same for a file that is to be written. \throw Failure
@@ -85,6 +88,8 @@ inline Format format_for_writing(const std::string& name)
   const Format format = format_of(name);
   if(format == Format::las && std::tolower(static_cast<unsigned char>(name.back())) == 'z')
     throw Failure(name + ": compressed LAZ files cannot be written; .las can");
+  if(format == Format::obj)
+    throw Failure(name + ": the result is points without faces, for which there are .ply, .xyz, .pwn, .off and .las");
   return format;
 }
 
@@ -214,6 +219,37 @@ inline void read_off(std::istream& stream, std::uint64_t size, Point_file& file)
     { return CGAL::IO::read_OFF(s, points, faces); });
 }
 
+// lines that should be points
+inline std::size_t number_in_obj(std::istream& stream)
+{
+  std::string line, word;
+  std::size_t number = 0;
+  while(std::getline(stream, line))
+    number += std::istringstream(line) >> word && word == "v";
+  return number;
+}
+
+inline void read_obj(std::istream& stream, Point_file& file)
+{
+  const std::size_t promised = number_in_obj(stream);
+  stream.clear();
+  stream.seekg(0);
+  std::vector<Point> points;
+  const bool is_read = CGAL::IO::read_OBJ(stream, points, file.faces);
+  if(points.empty() || points.size() < promised)
+    throw Failure("it is damaged, or no OBJ file: it cannot be read on after point " + std::to_string(points.size()));
+  // points alone are no failure for us
+  bool is_whole = is_read || file.faces.empty();
+  for(const std::vector<std::size_t>& face : file.faces)
+    for(std::size_t v : face)
+      is_whole = is_whole && v < points.size();
+  if(!is_whole)
+    throw Failure("it is truncated or damaged: its faces cannot be read, or name a point that it does not have");
+  for(const Point& p : points)
+    file.points.insert(p);
+  file.notes.push_back("only the points are kept");
+}
+
 } // namespace internal
 
 /// Reads a point set with all its properties. \throw Failure with the name and the reason
@@ -241,6 +277,7 @@ inline void read_point_file(const std::string& name, Point_file& file)
     case Format::ply: internal::read_ply(stream, std::uint64_t(size), file); break;
     case Format::xyz: internal::read_xyz(stream, file); break;
     case Format::off: internal::read_off(stream, std::uint64_t(size), file); break;
+    case Format::obj: internal::read_obj(stream, file); break;
     case Format::las: las::read(stream, std::uint64_t(size), file); break;
     }
   }
@@ -265,6 +302,7 @@ inline void write_point_file(std::ostream& stream, Format format, Point_set& poi
     break;
   case Format::xyz: CGAL::IO::write_XYZ(stream, points); break;
   case Format::off: CGAL::IO::write_OFF(stream, points); break;
+  case Format::obj: throw Failure("OBJ files are read only");   // refused by `format_for_writing()`
   case Format::las: las::write(stream, points, like.las); break;
   }
 }

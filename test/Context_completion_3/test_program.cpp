@@ -214,6 +214,22 @@ struct Mesh
            + face_lines();
   }
 
+  std::string obj() const
+  {
+    std::istringstream lines(xyz_of(rows, 3));
+    std::string text = "# a mesh\no mesh\n", line;
+    while(std::getline(lines, line))
+      text += "v " + line + "\n";
+    for(const std::vector<std::size_t>& face : faces)
+    {
+      text += "f";
+      for(std::size_t v : face)
+        text += " " + std::to_string(v + 1);
+      text += "\n";
+    }
+    return text;
+  }
+
   std::string ply() const
   {
     std::string text = ply_of(rows);
@@ -588,10 +604,38 @@ TEST_F(Program, Faces_of_a_mesh_give_normals)
   expect_refusal(input, "--estimate-normals", "--ignore-faces");
 }
 
+TEST_F(Program, Meshes_in_obj_files_are_completed_as_those_in_off_files)
+{
+  const Sphere_mesh mesh(false);
+  std::string results[2];
+  const std::string inputs[] = { write("in.off", mesh.off()), write("in.obj", mesh.obj()) };
+  for(int i = 0; i < 2; ++i)
+  {
+    ASSERT_EQ(run(inputs[i] + " " + path("out.xyz")), 0) << err;
+    results[i] = read_file(path("out.xyz"));
+  }
+  EXPECT_GT(std::count(results[0].begin(), results[0].end(), '\n'), std::ptrdiff_t(mesh.rows.size()));
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_NE(err.find("only the points are kept"), std::string::npos) << err;
+  // without faces they are points alone
+  const std::string text = mesh.obj(), points = text.substr(0, text.find("\nf ") + 1);
+  expect_refusal(write("points.obj", points), "--estimate-normals");
+  ASSERT_EQ(run(path("points.obj") + " " + path("out.ply") + " --estimate-normals 18"), 0) << err;
+  EXPECT_GT(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
+  expect_refusal(write("faces.obj", text.substr(text.find("\nf ") + 1)), "no OBJ file");
+  for(const std::string end : { "v 1 2 c\n", "v 1 2" })
+    expect_refusal(write("damaged.obj", points + end), "after point " + std::to_string(mesh.rows.size()));
+  expect_refusal(write("names.obj", points + "f 1 2 999999\n"), "name a point");
+  EXPECT_EQ(run(inputs[1] + " " + path("out.obj")), 1);
+  EXPECT_NE(err.find(".ply, .xyz, .pwn, .off and .las"), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(path("out.obj")));
+}
+
 TEST_F(Program, What_the_faces_of_a_mesh_cover_is_no_hole)
 {
   const Sphere_mesh mesh(true);
-  for(const std::string& input : { write("in.off", mesh.off()), write("in.ply", mesh.ply()) })
+  for(const std::string& input :
+      { write("in.off", mesh.off()), write("in.ply", mesh.ply()), write("in.obj", mesh.obj()) })
   {
     ASSERT_EQ(run(input + " " + path("out.ply")), 0) << err;
     EXPECT_EQ(read_ply(path("out.ply"))["x"].size(), mesh.rows.size());
@@ -638,7 +682,7 @@ void expect_covered(const Sheet_mesh& sheet, std::map<std::string, std::vector<d
 
 TEST_F(Program, A_border_within_a_mesh_is_the_rim_of_a_hole)
 {
-  // so near to the outer border that the points alone show one rim
+  // only two rows of points away from the outer border
   const Sheet_mesh sheet(40, [](int i, int j) { return i >= 8 && i < 32 && j >= 2 && j < 8; });
   const std::string input = write("in.ply", sheet.ply());
   const auto states = [&](const std::string& options)
@@ -651,7 +695,7 @@ TEST_F(Program, A_border_within_a_mesh_is_the_rim_of_a_hole)
     return result;
   };
   EXPECT_EQ(states("")["hole"], 1) << err;
-  EXPECT_EQ(states(" --ignore-faces").count("hole"), 0u);
+  EXPECT_EQ(states(" --ignore-faces")["hole"], 1) << "the points alone tell it, too";
   EXPECT_EQ(states(" --max-diameter 10").count("hole"), 0u);
   ASSERT_EQ(run(input + " " + path("out.ply") + " --added " + path("added.ply")), 0) << err;
   auto added = read_ply(path("added.ply"));
