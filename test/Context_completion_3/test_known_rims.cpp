@@ -40,7 +40,7 @@ typedef CGAL::Context_completion_3<samples::Kernel> Completion;
 typedef std::vector<std::size_t> Rim;
 typedef std::vector<Rim> Rims;
 
-const double slot_left = 8, slot_right = 32, slot_lower = 2.4, slot_upper = 8.4;
+const double slot_left = 8, slot_right = 32, slot_lower = 0.8, slot_upper = 6.8;
 
 bool is_in_slot(double x, double y, double margin)
 {
@@ -112,7 +112,8 @@ TEST(Known_rims, A_slot_beside_a_border_is_filled_by_its_rim)
     EXPECT_EQ(completion.holes()[completion.chosen()[0]].loops, Rims(1, rim));
     const std::vector<Completion::New_point> added = complete(completion);
     const double area = (slot_right - slot_left) * (slot_upper - slot_lower);
-    EXPECT_NEAR(double(added.size()), area / std::sqrt(0.75), 0.2 * area);
+    // beside two borders points seem to be farther apart than they are
+    EXPECT_NEAR(double(added.size()), area / std::sqrt(0.75), 0.3 * area);
     for(const Completion::New_point& p : added)
     {
       EXPECT_LT(std::abs(p.point.z()), 0.05);

@@ -70,6 +70,18 @@ bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
   return 2 * bare < uncovered;
 }
 
+/*!
+  Whether a rim of a single loop is whole: a closed curve is at least two diameters long, of which a tenth may be missing,
+  and at most pi if it is convex. Both rims of a narrow strip are longer.
+  \param further number of points at which the base ends, too, one after the other
+*/
+template <typename ConcurrencyTag>
+bool goes_around_once(const Smooth_patch<ConcurrencyTag>& patch, std::size_t further)
+{
+  const double length = double(patch.rim().size() + further) * patch.spacing();
+  return length >= 1.8 * patch.diameter() && length <= 4 * patch.diameter();
+}
+
 /// Whether one base is, by the number of its samples, clearly larger than another.
 template <typename ConcurrencyTag>
 bool is_bulge(const Smooth_patch<ConcurrencyTag>& patch, const Smooth_patch<ConcurrencyTag>& other)

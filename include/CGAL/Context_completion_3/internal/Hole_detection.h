@@ -18,6 +18,7 @@
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Named_holes.h>
+#include <CGAL/Context_completion_3/internal/Rim_division.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Tube_bridge.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -91,14 +93,18 @@ public:
         continue;
       if(const auto patch = base_of_broken_rim(loops, grouping, left[k], group))
         add_hole(patch, holes, grouping, group);
+      else if(const auto up_to_edge = base_up_to_edge(loops, grouping, left[k], group))
+        add_hole(up_to_edge, holes, grouping, group);
       else if(loop.points.size() >= fewest_border_points())
       {
         Hole border;
-        border.loops.push_back(loop);
+        border.loops.push_back(without_tied_holes(loop, holes));
         border.is_outer_border = true;
-        border.patch = cap(loops, grouping, left[k]);
+        if(border.loops[0].points.size() == loop.points.size())
+          border.patch = cap(loops, grouping, left[k]);
         border.is_end = border.patch != nullptr;
-        holes.push_back(border);
+        if(border.loops[0].points.size() >= fewest_border_points())
+          holes.push_back(border);
       }
     }
     const Named_holes<ConcurrencyTag> named(m_model, loops);
@@ -126,7 +132,7 @@ private:
   static double least_opening() { return Grouping::least_opening(); }
 
   // The base continues the surface at the rim, on the whole; the end of a tube would have to be capped across.
-  bool is_faced(const Patch& patch) const
+  bool is_faced(const Patch& patch, double least = least_opening()) const
   {
     Vector mean = Vector::Zero();
     for(const Base_sample& s : patch.samples())
@@ -134,7 +140,7 @@ private:
     double sum = 0;
     for(std::size_t i : patch.rim())
       sum += m_model.normal(i).dot(mean.normalized());
-    return sum >= least_opening() * double(patch.rim().size());
+    return sum >= least * double(patch.rim().size());
   }
 
   // Around a narrow slot there are few samples but those that points of the rim cover, each the one before it. A base
@@ -247,6 +253,93 @@ private:
       return nullptr;
     const auto patch = closed_base(loops, grouping, group, true);
     return patch && is_faced(*patch) ? patch : nullptr;
+  }
+
+  // A rim in one side of the surface that is open towards an acute edge, where the other side ends with a rim that looks
+  // away. Both together are whole.
+  std::shared_ptr<const Patch> base_up_to_edge(const std::vector<Rim_loop>& loops, const Grouping& grouping,
+                                               std::size_t l, std::vector<std::size_t>& group) const
+  {
+    const Rim_loop& loop = loops[l];
+    if(loop.opening(m_model.points(), loop.center) < 2 * least_opening())
+      return nullptr;
+    Vector mean = Vector::Zero();
+    for(const Rim_point& p : loop.points)
+      mean += m_model.normal(p.index);
+    std::vector<Rim_point> edge;
+    for(std::size_t m = 0; m < loops.size(); ++m)
+      if(m != l && !grouping.is_used(m))
+        std::copy_if(loops[m].points.begin(), loops[m].points.end(), std::back_inserter(edge), [&](const Rim_point& p)
+        {
+          return !is_same_side(m_model.normal(p.index), mean.normalized()) &&
+                 (m_model.position(p.index) - loop.center).norm() < loop.diameter;
+        });
+    if(edge.size() < 3)
+      return nullptr;
+    const auto surroundings =
+      std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, std::vector<Rim_loop>(1, loop), edge);
+    const std::vector<Base_center> guides = Base_edge<ConcurrencyTag>(*surroundings).guides();
+    for(bool is_stiff : { false, true })
+    {
+      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff, std::nullopt, guides);
+      if(!patch->is_closed() || !is_evident(*patch) || is_sparse(*patch) || !is_faced(*patch, 3 * least_opening()) ||
+         !goes_around_once(*patch, patch->reached_edge().size()))
+        continue;
+      group.assign(1, l);
+      for(std::size_t m = 0; m < loops.size(); ++m)
+        if(m != l && 2 * common_points(loops[m], patch->reached_edge()) > loops[m].points.size())
+          group.push_back(m);
+      return patch;
+    }
+    return nullptr;
+  }
+
+  static std::size_t common_points(const Rim_loop& loop, const std::vector<std::size_t>& points)
+  {
+    return std::size_t(std::count_if(loop.points.begin(), loop.points.end(), [&](const Rim_point& p)
+      { return std::binary_search(points.begin(), points.end(), p.index); }));
+  }
+
+  // A border can be tied to the rim of a hole, by a narrow strip of the surface or along an acute edge. Taken apart, rims
+  // have to be whole and the base nearly flat: there are many parts, and in irregular samplings some close by chance.
+  Rim_loop without_tied_holes(const Rim_loop& loop, std::vector<Hole>& holes) const
+  {
+    const Rim_division<ConcurrencyTag> division(m_model, loop);
+    Rim_loop rest = loop;
+    for(const Rim_loop& part : division.parts())
+    {
+      if(part.points.size() == loop.points.size() || part.points.size() < fewest_rim_points() ||
+         part.opening(m_model.points(), part.center) < least_opening())
+        continue;
+      const auto surroundings =
+        std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, std::vector<Rim_loop>(1, part));
+      for(bool is_stiff : { false, true })
+      {
+        const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
+        if(!patch->is_closed() || !is_evident(*patch) || is_sparse(*patch) || !is_faced(*patch, 3 * least_opening()) ||
+           !goes_around_once(*patch, division.edge_points_among(patch->reached())))
+          continue;
+        Hole hole;
+        hole.loops = patch->loops();
+        hole.patch = patch;
+        hole.stiff = is_stiff ? nullptr : without_bulge(*patch, largest_fragment());
+        holes.push_back(hole);
+        rest = without(rest, part);
+        break;
+      }
+    }
+    return rest;
+  }
+
+  Rim_loop without(const Rim_loop& loop, const Rim_loop& part) const
+  {
+    Rim_loop rest;
+    std::set_difference(loop.points.begin(), loop.points.end(), part.points.begin(), part.points.end(),
+                        std::back_inserter(rest.points),
+                        [](const Rim_point& a, const Rim_point& b) { return a.index < b.index; });
+    if(!rest.points.empty())
+      rest.measure(m_model.points());
+    return rest;
   }
 
   static std::size_t most_fragments() { return 4; }

@@ -46,8 +46,10 @@ class Rim_surroundings
   typedef Surface_model<ConcurrencyTag> Model;
 
 public:
-  Rim_surroundings(const Model& model, const std::vector<Rim_loop>& loops)
-    : m_model(model), m_loops(loops)
+  /// \param edge points of the other side, of an acute edge at which the hole ends
+  Rim_surroundings(const Model& model, const std::vector<Rim_loop>& loops,
+                   const std::vector<Rim_point>& edge = std::vector<Rim_point>())
+    : m_model(model), m_loops(loops), m_edge(edge)
   {
     std::vector<double> spacings, area_spacings;
     double diameter = 0;
@@ -73,6 +75,9 @@ public:
 
   const Model& model() const { return m_model; }
   const std::vector<Rim_loop>& loops() const { return m_loops; }
+
+  /// As given.
+  const std::vector<Rim_point>& edge() const { return m_edge; }
 
   /// Rim points of all loops.
   const std::vector<std::size_t>& rim() const { return m_rim; }
@@ -193,6 +198,7 @@ private:
 
   const Model& m_model;
   std::vector<Rim_loop> m_loops;
+  std::vector<Rim_point> m_edge;
   std::vector<std::size_t> m_rim;
   std::vector<Band_point> m_band;
   std::vector<Base_center> m_centers;

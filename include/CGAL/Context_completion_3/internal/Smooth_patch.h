@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Base_edge.h>
 #include <CGAL/Context_completion_3/internal/Base_sample.h>
 #include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Narrow_slot.h>
@@ -112,6 +113,9 @@ public:
   /// Known points at which the sampling arrived: rims that belong to the same hole.
   const std::vector<std::size_t>& reached() const { return m_reached; }
 
+  /// Points of the edge of the surroundings at which the sampling ended, by increasing index.
+  const std::vector<std::size_t>& reached_edge() const { return m_reached_edge; }
+
   /// Whether the sampling went on from each rim to the others; otherwise each of some rims is closed alone.
   bool joins_rims() const { return m_joined_share == 1; }
 
@@ -187,13 +191,15 @@ private:
     const double length = double(rim().size()), around = loops().size() > 1 ? length : 0;
     const std::size_t most = 60 + std::size_t(3 * length * length / (4 * 3.1416) + around * diameter() / h);
     std::vector<char> is_reached(m_footprints.size(), 0);
+    Base_edge<ConcurrencyTag> edge(*m_surroundings);
     // the loop that each sample comes from, and loops that are joined: of each the smallest
     std::vector<std::size_t> origin, joined(loops().size());
     std::iota(joined.begin(), joined.end(), std::size_t(0));
     const auto try_sample = [&](Vector x, const Vector& from, const Vector& from_normal, std::size_t loop) -> bool
     {
       Vector normal;
-      if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h || !is_in_domain(x))
+      if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h || !is_in_domain(x) ||
+         edge.is_beyond(x, normal))
         return false;
       double nearest = 1.7 * h;
       bool is_free = true;
@@ -259,6 +265,7 @@ private:
     for(std::size_t k = 0; k < is_reached.size(); ++k)
       if(is_reached[k])
         m_reached.push_back(m_footprint_index[k]);
+    m_reached_edge = edge.reached();
     std::sort(m_reached.begin(), m_reached.end());
     m_reached.erase(std::unique(m_reached.begin(), m_reached.end()), m_reached.end());
   }
@@ -274,6 +281,7 @@ private:
   void relax()
   {
     const double h = m_spacing, reach = 1.25 * h;
+    Base_edge<ConcurrencyTag> edge(*m_surroundings);
     Point_grid known(reach);
     for(const Vector& x : m_footprints)
       known.insert(x);
@@ -299,7 +307,8 @@ private:
             repel(known.point(k), d);
           return true; });
         Vector x = p + 0.35 * push, normal;
-        if((x - p).norm() < h && project(x, normal) && (x - p).norm() < h && is_in_domain(x))
+        if((x - p).norm() < h && project(x, normal) && (x - p).norm() < h && is_in_domain(x) &&
+           !edge.is_beyond(x, normal))
         {
           moved[i].position = x;
           moved[i].normal = normal;
@@ -323,7 +332,7 @@ private:
   std::vector<Vector> m_footprints, m_footprint_normals;
   std::vector<std::size_t> m_footprint_index;
   std::vector<Base_sample> m_samples;
-  std::vector<std::size_t> m_reached;
+  std::vector<std::size_t> m_reached, m_reached_edge;
   bool m_is_closed = false;
   double m_joined_share = 0;
 };

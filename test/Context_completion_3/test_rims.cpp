@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Context_completion_3 authors.
+// All rights reserved.
+//
+// This file is part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Context_completion_3 authors
+
+// Rims beside other rims and beside acute edges.
+
+#include "include/engine_samples.h"
+
+#include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Rim_detection.h>
+#include <CGAL/Context_completion_3/internal/Surface_model.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace test_rims {
+
+using namespace CGAL::Context_completions_3::internal;
+namespace samples = Test_surfaces;
+
+namespace {
+
+typedef CGAL::Sequential_tag Tag;
+typedef Detected_hole<Tag> Hole;
+
+const double row_distance = std::sqrt(0.75);
+
+std::vector<Hole> holes_of(const Surface_model<Tag>& model)
+{
+  std::vector<Hole> all, holes;
+  EXPECT_TRUE(Hole_detection<Tag>(model).run(all, std::function<bool(double)>()));
+  for(const Hole& hole : all)
+    if(!hole.is_outer_border)
+      holes.push_back(hole);
+  return holes;
+}
+
+/// A sheet with a slot of five rows along its border, which some rows of points separate it from.
+samples::Samples sheet_with_slot(std::size_t rows_between)
+{
+  samples::Samples sheet;
+  const double lower = double(rows_between) * row_distance, upper = lower + 5 * row_distance;
+  for(const samples::Oriented_point& s : samples::plane(30))
+    if(!(s.first.y() > lower && s.first.y() < upper && s.first.x() > 8 && s.first.x() < 22))
+      sheet.push_back(s);
+  return sheet;
+}
+
+/*!
+  Two faces of a solid, 20 by 30 spacings, that meet along the y axis at an acute angle. With points on the edge, as the
+  vertices of a mesh, these have normals between those of the faces.
+*/
+samples::Samples wedge(double degrees, bool has_edge_points)
+{
+  const double angle = degrees * samples::pi / 180;
+  samples::Random_offsets offset(5);
+  samples::Samples result;
+  const samples::Vector lower(0, 0, -1), upper(-std::sin(angle), 0, std::cos(angle));
+  for(std::size_t j = 0; j < 30; ++j)
+  {
+    if(has_edge_points)
+      result.emplace_back(samples::Point(0, double(j) + 0.1 * offset(), 0), samples::unit(lower + upper));
+    for(std::size_t i = 0; i < 23; ++i)
+      for(bool is_upper : { false, true })
+      {
+        const double x = row_distance * (double(i) + (has_edge_points ? 1 : 0.5) + 0.1 * offset());
+        const double y = double(j) + 0.5 * double(i % 2) + 0.1 * offset();
+        if(is_upper)
+          result.emplace_back(samples::Point(x * std::cos(angle), y, x * std::sin(angle)), upper);
+        else
+          result.emplace_back(samples::Point(x, y, 0), lower);
+      }
+  }
+  return result;
+}
+
+} // namespace
+
+TEST(Rims, Of_a_hole_and_of_the_border_beside_it_are_two)
+{
+  for(std::size_t rows : { 3, 4 })
+  {
+    SCOPED_TRACE(std::to_string(rows) + " rows of points between them");
+    const Surface_points points = samples::engine_points(sheet_with_slot(rows));
+    const Surface_model<Tag> model(points);
+    const std::vector<Hole> holes = holes_of(model);
+    ASSERT_EQ(holes.size(), 1u);
+    for(const Rim_loop& loop : holes[0].loops)
+      for(const Rim_point& p : loop.points)
+      {
+        const Vector& x = points.position[p.index];
+        EXPECT_TRUE(x.x() > 6.5 && x.x() < 23.5 && x.y() > row_distance && x.y() < double(rows + 7) * row_distance)
+          << x.transpose();
+      }
+    for(const Base_sample& s : holes[0].patch->samples())
+      EXPECT_TRUE(s.position.x() > 7 && s.position.x() < 23 && s.position.y() > double(rows - 1) * row_distance &&
+                  s.position.y() < double(rows + 6) * row_distance) << s.position.transpose();
+  }
+}
+
+TEST(Rims, Across_a_narrow_slot_are_one)
+{
+  samples::Samples sheet;
+  for(const samples::Oriented_point& s : samples::plane(30))
+    if(!(std::abs(s.first.y() - 13) < row_distance && s.first.x() > 6 && s.first.x() < 24))
+      sheet.push_back(s);
+  const Surface_points points = samples::engine_points(sheet);
+  const Surface_model<Tag> model(points);
+  const std::vector<Hole> holes = holes_of(model);
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_EQ(holes[0].loops.size(), 1u);
+}
+
+TEST(Rims, Of_a_hole_in_one_face_up_to_an_acute_edge_are_found)
+{
+  for(bool has_edge_points : { false, true })
+    for(double degrees : { 30., 45., 60. })
+    {
+      SCOPED_TRACE(std::to_string(degrees) + " degrees, points on the edge: " + std::to_string(has_edge_points));
+      // all of the lower face within six spacings of the edge, but not the edge
+      samples::Samples rest;
+      for(const samples::Oriented_point& s : wedge(degrees, has_edge_points))
+        if(!(s.first.z() < 0.01 && s.first.x() > 0.3 && s.first.x() < 6 && std::abs(s.first.y() - 15) < 6))
+          rest.push_back(s);
+      const Surface_points points = samples::engine_points(rest);
+      const Surface_model<Tag> model(points);
+      const std::vector<Hole> holes = holes_of(model);
+      ASSERT_EQ(holes.size(), 1u);
+      // points on the edge have normals between those of the faces, towards which the base bends
+      const double height = has_edge_points ? 2 : 0.3;
+      std::size_t inside = 0;
+      for(const Base_sample& s : holes[0].patch->samples())
+        inside += std::abs(s.position.z()) < height && s.position.x() > -0.5 && s.position.x() < 6.5 &&
+                  std::abs(s.position.y() - 15) < 7;
+      EXPECT_GT(inside, 30u);   // of about 80 that are missing
+      EXPECT_GE(double(inside), 0.75 * double(holes[0].patch->samples().size()));
+    }
+}
+
+TEST(Rims, Of_a_whole_acute_edge_bound_no_hole)
+{
+  for(bool has_edge_points : { false, true })
+    for(double degrees : { 20., 30., 45., 60. })
+    {
+      const Surface_points points = samples::engine_points(wedge(degrees, has_edge_points));
+      const Surface_model<Tag> model(points);
+      EXPECT_TRUE(holes_of(model).empty()) << degrees << " degrees, points on the edge: " << has_edge_points;
+    }
+}
+
+} // namespace test_rims
