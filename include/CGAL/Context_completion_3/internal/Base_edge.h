@@ -44,6 +44,8 @@ public:
   /// Whether a place, where the base has some normal, is beyond the nearest point of the edge, which is then reached.
   bool is_beyond(const Vector& x, const Vector& normal)
   {
+    if(m_is_reached.empty())
+      return false;
     const double h = m_surroundings.spacing();
     std::size_t nearest = no_index;
     double distance = reach() * h;

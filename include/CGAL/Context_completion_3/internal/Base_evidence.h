@@ -71,8 +71,8 @@ bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
 }
 
 /*!
-  Whether a rim of a single loop is whole: a closed curve is at least two diameters long, of which a tenth may be missing,
-  and at most pi if it is convex. Both rims of a narrow strip are longer.
+  Whether a rim of a single loop is whole: a closed curve is at least two diameters long, of which a tenth may be
+  missing, and at most pi if it is convex. Both rims of a narrow strip are longer.
   \param further number of points at which the base ends, too, one after the other
 */
 template <typename ConcurrencyTag>

@@ -37,8 +37,8 @@ namespace internal {
 
 /*!
   Joins loops to holes. A hole is a set of rims whose common smooth base ends at them everywhere and is not covered by
-  points; a rim whose base runs away is an outer border of the surface; a rim whose base is covered is no rim at all
-  (sharp edges and a sampling that thins out raise many).
+  points; a rim whose base runs away is an outer border of the surface, unless it ends at an acute edge or the rim of a hole
+  is tied to it; a rim whose base is covered is no rim at all (sharp edges and a sampling that thins out raise many).
 */
 template <typename ConcurrencyTag>
 class Hole_detection
@@ -98,7 +98,7 @@ public:
       else if(loop.points.size() >= fewest_border_points())
       {
         Hole border;
-        border.loops.push_back(without_tied_holes(loop, holes));
+        border.loops.push_back(split_off_holes(loop, holes));
         border.is_outer_border = true;
         if(border.loops[0].points.size() == loop.points.size())
           border.patch = cap(loops, grouping, left[k]);
@@ -255,6 +255,14 @@ private:
     return patch && is_faced(*patch) ? patch : nullptr;
   }
 
+  // What a second look finds has to be whole and nearly flat: loops can be taken apart and led on in many ways, and in
+  // irregular samplings some of these close by chance.
+  bool is_beyond_doubt(const Patch& patch, std::size_t edge_points) const
+  {
+    return patch.is_closed() && is_evident(patch) && !is_sparse(patch) && is_faced(patch, 3 * least_opening()) &&
+           goes_around_once(patch, edge_points);
+  }
+
   // A rim in one side of the surface that is open towards an acute edge, where the other side ends with a rim that looks
   // away. Both together are whole.
   std::shared_ptr<const Patch> base_up_to_edge(const std::vector<Rim_loop>& loops, const Grouping& grouping,
@@ -282,8 +290,7 @@ private:
     for(bool is_stiff : { false, true })
     {
       const auto patch = std::make_shared<const Patch>(surroundings, is_stiff, std::nullopt, guides);
-      if(!patch->is_closed() || !is_evident(*patch) || is_sparse(*patch) || !is_faced(*patch, 3 * least_opening()) ||
-         !goes_around_once(*patch, patch->reached_edge().size()))
+      if(!is_beyond_doubt(*patch, patch->reached_edge().size()))
         continue;
       group.assign(1, l);
       for(std::size_t m = 0; m < loops.size(); ++m)
@@ -300,9 +307,9 @@ private:
       { return std::binary_search(points.begin(), points.end(), p.index); }));
   }
 
-  // A border can be tied to the rim of a hole, by a narrow strip of the surface or along an acute edge. Taken apart, rims
-  // have to be whole and the base nearly flat: there are many parts, and in irregular samplings some close by chance.
-  Rim_loop without_tied_holes(const Rim_loop& loop, std::vector<Hole>& holes) const
+  // A border can be tied to the rim of a hole, by a narrow strip of the surface or along an acute edge. Adds the holes, and
+  // returns the rest of the loop.
+  Rim_loop split_off_holes(const Rim_loop& loop, std::vector<Hole>& holes) const
   {
     const Rim_division<ConcurrencyTag> division(m_model, loop);
     Rim_loop rest = loop;
@@ -316,8 +323,7 @@ private:
       for(bool is_stiff : { false, true })
       {
         const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
-        if(!patch->is_closed() || !is_evident(*patch) || is_sparse(*patch) || !is_faced(*patch, 3 * least_opening()) ||
-           !goes_around_once(*patch, division.edge_points_among(patch->reached())))
+        if(!is_beyond_doubt(*patch, division.edge_points_among(patch->reached())))
           continue;
         Hole hole;
         hole.loops = patch->loops();
