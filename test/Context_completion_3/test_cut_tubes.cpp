@@ -252,6 +252,23 @@ TEST(Cut_tubes, A_limb_is_joined_to_a_hole_that_is_far_wider)
   EXPECT_LT(hole->loops[1].diameter, 0.3 * hole->loops[0].diameter);
 }
 
+TEST(Cut_tubes, A_limb_is_joined_to_a_hole_that_is_not_centred_at_it)
+{
+  // it goes on in the plate, beside the limb, which is 12 thick
+  for(double aside : { 15., 18., 20. })
+  {
+    const Surface_points points = samples::engine_points(
+      samples::without_ball(samples::without_ball(limb_on_plate(), samples::Point(0, 0, 4), 13.),
+                            samples::Point(aside, 0, 0), 10.));
+    const Surface_model<Tag> model(points);
+    std::vector<Detected> holes;
+    ASSERT_TRUE(Hole_detection<Tag>(model).run(holes, std::function<bool(double)>()));
+    const auto hole = std::find_if(holes.begin(), holes.end(), [](const Detected& h) { return !h.is_outer_border; });
+    ASSERT_TRUE(hole != holes.end()) << aside;
+    EXPECT_EQ(hole->loops.size(), 2u) << aside;
+  }
+}
+
 TEST(Cut_tubes, A_bore_is_joined_to_the_wall_into_which_it_leads)
 {
   samples::Samples removed;

@@ -9,11 +9,12 @@
 //
 // Author(s)     : The Context_completion_3 authors
 
-// Rims beside other rims and beside acute edges.
+// Rims beside other rims and beside acute edges, rims that bend, and how rims turn.
 
 #include "include/engine_samples.h"
 
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Rim_cycles.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
@@ -88,7 +89,115 @@ samples::Samples wedge(double degrees, bool has_edge_points)
   return result;
 }
 
+/// The ways along all rims of some points, of 8 points at least.
+std::vector<Rim_cycle> cycles_of(const samples::Samples& surface)
+{
+  const Surface_points points = samples::engine_points(surface);
+  const Surface_model<Tag> model(points);
+  std::vector<Rim_cycle> result;
+  for(const Rim_loop& loop : Rim_detection<Tag>(model).loops())
+    for(const Rim_cycle& cycle : Rim_cycles<Tag>(model, loop).cycles())
+      if(cycle.rim.points.size() >= 8)
+        result.push_back(cycle);
+  return result;
+}
+
+/// Whether the distance of a place from the z axis is that of an arc of three quarters of a circle, and so its direction.
+bool is_on_arc(double x, double y, double inner, double outer)
+{
+  const double r = std::hypot(x, y);
+  return r > inner && r < outer && std::abs(std::atan2(y, x)) < 0.75 * samples::pi;
+}
+
+samples::Samples centered_plane(std::size_t rows)
+{
+  samples::Samples result;
+  const samples::Vector middle(0.5 * double(rows), 0.5 * double(rows) * row_distance, 0);
+  for(const samples::Oriented_point& s : samples::plane(rows))
+    result.emplace_back(s.first - middle, s.second);
+  return result;
+}
+
 } // namespace
+
+TEST(Rims, Turn_once_around_a_hole_in_a_plane_and_back_around_a_sheet)
+{
+  for(bool has_hole : { false, true })
+  {
+    samples::Samples sheet;
+    for(const samples::Oriented_point& s : centered_plane(40))
+      if(std::hypot(s.first.x(), s.first.y()) < 16 &&
+         !(has_hole && is_on_arc(s.first.x(), s.first.y(), 6, 11)))
+        sheet.push_back(s);
+    const std::vector<Rim_cycle> cycles = cycles_of(sheet);
+    ASSERT_EQ(cycles.size(), has_hole ? 2u : 1u);
+    std::size_t holes = 0;
+    for(const Rim_cycle& cycle : cycles)
+    {
+      // in a plane whole turns, whichever points the way passes
+      EXPECT_NEAR(cycle.turns, cycle.bounds_hole() ? 1 : -1, 1e-9);
+      holes += cycle.bounds_hole();
+    }
+    EXPECT_EQ(holes, has_hole ? 1u : 0u);
+  }
+}
+
+TEST(Rims, Turn_as_the_curvature_of_what_is_missing_lets_them)
+{
+  // of a sphere without a cap the turns are the cosine of its half angle
+  for(double degrees : { 20., 45., 60., 90., 120., 150. })
+  {
+    samples::Samples rest;
+    const double height = std::cos(degrees * samples::pi / 180);
+    for(const samples::Oriented_point& s : samples::sphere(4000, 1))
+      if(s.first.z() < height)
+        rest.push_back(s);
+    const std::vector<Rim_cycle> cycles = cycles_of(rest);
+    ASSERT_EQ(cycles.size(), 1u) << degrees;
+    EXPECT_NEAR(cycles[0].turns, height, 0.06) << degrees;
+    EXPECT_EQ(cycles[0].bounds_hole(), degrees < 65) << degrees;
+  }
+  // the ends of a tube are none
+  const std::vector<Rim_cycle> ends = cycles_of(samples::cylinder(40, 40, 6.));
+  ASSERT_EQ(ends.size(), 2u);
+  for(const Rim_cycle& end : ends)
+    EXPECT_NEAR(end.turns, 0, 0.03);
+}
+
+TEST(Rims, Of_a_slot_that_bends_back_bound_a_hole)
+{
+  // its centre is beside it, and its rims lead to all sides
+  for(double width : { 4., 5., 6. })
+    for(bool is_wave : { false, true })
+    {
+      SCOPED_TRACE(std::to_string(width) + " spacings wide, wave: " + std::to_string(is_wave));
+      samples::Samples rest;
+      std::size_t removed = 0;
+      for(samples::Oriented_point s : centered_plane(50))
+      {
+        if(is_on_arc(s.first.x(), s.first.y(), 10 - width / 2, 10 + width / 2))
+        {
+          ++removed;
+          continue;
+        }
+        if(is_wave)   // over a ridge
+        {
+          const double a = s.first.x() / 8;
+          s = { samples::Point(s.first.x(), s.first.y(), 8 * std::cos(a)), samples::unit({ std::sin(a), 0, 1 }) };
+        }
+        rest.push_back(s);
+      }
+      const Surface_points points = samples::engine_points(rest);
+      const Surface_model<Tag> model(points);
+      const std::vector<Hole> holes = holes_of(model);
+      ASSERT_EQ(holes.size(), 1u);
+      std::size_t inside = 0;
+      for(const Base_sample& s : holes[0].patch->samples())
+        inside += is_on_arc(s.position.x(), s.position.y(), 8.5 - width / 2, 11.5 + width / 2);
+      EXPECT_GE(double(inside), 0.9 * double(holes[0].patch->samples().size()));
+      EXPECT_GE(double(inside), 0.75 * double(removed));
+    }
+}
 
 TEST(Rims, Of_a_hole_and_of_the_border_beside_it_are_two)
 {

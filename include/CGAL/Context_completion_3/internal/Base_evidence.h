@@ -15,6 +15,7 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
+#include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
 #include <algorithm>
@@ -71,15 +72,15 @@ bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
 }
 
 /*!
-  Whether a rim of a single loop is whole: a closed curve is at least two diameters long, of which a tenth may be
-  missing, and at most pi if it is convex. Both rims of a narrow strip are longer.
+  Whether a rim is whole: a closed curve is at least two diameters long, of which a tenth may be missing, and at most pi if
+  it is convex. Both rims of a narrow strip are longer.
   \param further number of points at which the base ends, too, one after the other
 */
 template <typename ConcurrencyTag>
-bool goes_around_once(const Smooth_patch<ConcurrencyTag>& patch, std::size_t further)
+bool goes_around_once(const Rim_surroundings<ConcurrencyTag>& surroundings, std::size_t further)
 {
-  const double length = double(patch.rim().size() + further) * patch.spacing();
-  return length >= 1.8 * patch.diameter() && length <= 4 * patch.diameter();
+  const double length = double(surroundings.rim().size() + further) * surroundings.spacing();
+  return length >= 1.8 * surroundings.diameter() && length <= 4 * surroundings.diameter();
 }
 
 /// Whether one base is, by the number of its samples, clearly larger than another.

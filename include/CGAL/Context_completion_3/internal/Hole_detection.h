@@ -18,7 +18,7 @@
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Named_holes.h>
-#include <CGAL/Context_completion_3/internal/Rim_division.h>
+#include <CGAL/Context_completion_3/internal/Rim_cycles.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Tube_bridge.h>
@@ -95,6 +95,8 @@ public:
         add_hole(patch, holes, grouping, group);
       else if(const auto up_to_edge = base_up_to_edge(loops, grouping, left[k], group))
         add_hole(up_to_edge, holes, grouping, group);
+      else if(const auto of_pieces = base_of_pieces(loops, grouping, left[k], group))
+        add_hole(of_pieces, holes, grouping, group);
       else if(loop.points.size() >= fewest_border_points())
       {
         Hole border;
@@ -255,12 +257,13 @@ private:
     return patch && is_faced(*patch) ? patch : nullptr;
   }
 
-  // What a second look finds has to be whole and nearly flat: loops can be taken apart and led on in many ways, and in
-  // irregular samplings some of these close by chance.
-  bool is_beyond_doubt(const Patch& patch, std::size_t edge_points) const
+  // What a second look finds has to be beyond doubt: loops can be taken apart and led on in many ways, and in irregular
+  // samplings some of these close by chance, over places that are covered for the most part. In a narrow slot, too, all
+  // but the middle is near to the rim; but no more than one sample stands before each of its points.
+  static bool is_filled_to_rim(const Patch& patch)
   {
-    return patch.is_closed() && is_evident(patch) && !is_sparse(patch) && is_faced(patch, 3 * least_opening()) &&
-           goes_around_once(patch, edge_points);
+    return patch.is_closed() && is_evident(patch) && !is_sparse(patch) &&
+           double(patch.samples().size() - patch.number_of_uncovered()) <= 1.3 * double(patch.rim().size());
   }
 
   // A rim in one side of the surface that is open towards an acute edge, where the other side ends with a rim that looks
@@ -290,12 +293,42 @@ private:
     for(bool is_stiff : { false, true })
     {
       const auto patch = std::make_shared<const Patch>(surroundings, is_stiff, std::nullopt, guides);
-      if(!is_beyond_doubt(*patch, patch->reached_edge().size()))
+      if(!is_filled_to_rim(*patch) || !is_faced(*patch, 3 * least_opening()) ||
+         !goes_around_once(*surroundings, patch->reached_edge().size()))
         continue;
       group.assign(1, l);
       for(std::size_t m = 0; m < loops.size(); ++m)
         if(m != l && 2 * common_points(loops[m], patch->reached_edge()) > loops[m].points.size())
           group.push_back(m);
+      return patch;
+    }
+    return nullptr;
+  }
+
+  // Pieces that follow each other around a bent slot, which need not open towards their centre. They are tried once, with the
+  // largest.
+  std::shared_ptr<const Patch> base_of_pieces(const std::vector<Rim_loop>& loops, const Grouping& grouping,
+                                              std::size_t l, std::vector<std::size_t>& group) const
+  {
+    group = grouping.pieces_of_rim(l);
+    std::vector<Rim_loop> pieces;
+    for(std::size_t g : group)
+    {
+      if(loops[g].diameter > loops[l].diameter)
+        return nullptr;
+      pieces.push_back(loops[g]);
+    }
+    if(pieces.size() < 2)
+      return nullptr;
+    const auto surroundings = std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, pieces);
+    if(!goes_around_once(*surroundings, 0))
+      return nullptr;
+    for(bool is_stiff : { false, true })
+    {
+      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
+      if(!is_filled_to_rim(*patch) || !is_faced(*patch) || patch->joined_share() < 1 - largest_fragment())
+        continue;
+      grouping.take_in_reached(patch->reached(), group);
       return patch;
     }
     return nullptr;
@@ -307,30 +340,29 @@ private:
       { return std::binary_search(points.begin(), points.end(), p.index); }));
   }
 
-  // A border can be tied to the rim of a hole, by a narrow strip of the surface or along an acute edge. Adds the holes, and
-  // returns the rest of the loop.
+  // The centre of a rim says little where the hole bends, or where the rim is tied to a border, by a narrow strip of the
+  // surface or along an acute edge: then its turns tell that it bounds a hole. Adds the holes, and returns the rest of the
+  // loop.
   Rim_loop split_off_holes(const Rim_loop& loop, std::vector<Hole>& holes) const
   {
-    const Rim_division<ConcurrencyTag> division(m_model, loop);
     Rim_loop rest = loop;
-    for(const Rim_loop& part : division.parts())
+    for(const Rim_cycle& cycle : Rim_cycles<ConcurrencyTag>(m_model, loop).cycles())
     {
-      if(part.points.size() == loop.points.size() || part.points.size() < fewest_rim_points() ||
-         part.opening(m_model.points(), part.center) < least_opening())
+      if(!cycle.bounds_hole() || cycle.rim.points.size() < fewest_rim_points())
         continue;
       const auto surroundings =
-        std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, std::vector<Rim_loop>(1, part));
+        std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, std::vector<Rim_loop>(1, cycle.rim));
       for(bool is_stiff : { false, true })
       {
         const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
-        if(!is_beyond_doubt(*patch, division.edge_points_among(patch->reached())))
+        if(!is_filled_to_rim(*patch))
           continue;
         Hole hole;
         hole.loops = patch->loops();
         hole.patch = patch;
         hole.stiff = is_stiff ? nullptr : without_bulge(*patch, largest_fragment());
         holes.push_back(hole);
-        rest = without(rest, part);
+        rest = without(rest, cycle.rim);
         break;
       }
     }

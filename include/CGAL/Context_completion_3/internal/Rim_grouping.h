@@ -240,7 +240,7 @@ private:
       return false;
     const Vector between = rim.center - end.center;
     const double along = between.dot(axis);
-    return along > 0 && (between - along * axis).norm() < 0.5 * end.diameter &&
+    return along > 0 && (between - along * axis).norm() < 0.5 * (std::max)(end.diameter, rim.diameter) &&
            opening(rim, end.center) >= least_opening() &&
            side(end, end.center, axis) * side(rim, end.center, axis) > 0;
   }
