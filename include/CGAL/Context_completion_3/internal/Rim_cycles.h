@@ -39,10 +39,12 @@ struct Rim_cycle
     an island.
   */
   double turns = 0;
-  Rim_loop rim;   ///< the points of the way and those beside it
+  double lean = 0;   ///< mean of how much the directions into the empty place lean to the normals, as a cosine
+  Rim_loop rim;      ///< the points of the way and those beside it
 
-  /// Whether a smooth surface may go on over the place. This is the bound by which borders of meshes are told, too.
-  bool bounds_hole() const { return turns >= 3. / 8; }
+  /// Whether a smooth surface may go on over the place. The turns are those by which borders of meshes are told, too. Around
+  /// a mouth of a bore in which there are no points, normals at the edge are between those of its faces, and lean.
+  bool bounds_hole() const { return turns >= 3. / 8 && lean <= 0.3; }
 };
 
 /*!
@@ -93,9 +95,11 @@ public:
           again += is_passed[p];
           is_passed[p] = 1;
           cycle.rim.points.push_back(m_loop.points[p]);
+          cycle.lean += std::abs(m_loop.points[p].outward.dot(normal(p)));
         }
       if(2 * again > cycle.rim.points.size())
         continue;
+      cycle.lean /= double(cycle.rim.points.size());
       cycle.rim.measure(m_model.points());
       result.push_back(cycle);
     }
