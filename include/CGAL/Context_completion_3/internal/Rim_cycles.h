@@ -39,7 +39,7 @@ struct Rim_cycle
     an island.
   */
   double turns = 0;
-  double lean = 0;   ///< mean of how much the directions into the empty place lean to the normals, as a cosine
+  double lean = 0;   ///< median of how much the directions into the empty place lean to the normals, as a cosine
   Rim_loop rim;      ///< the points of the way and those beside it
 
   /// Whether a smooth surface may go on over the place. The turns are those by which borders of meshes are told, too. Around
@@ -89,17 +89,20 @@ public:
           is_member[p] = 1;
       }
       std::size_t again = 0;
+      std::vector<double> lean;
       for(std::size_t p = 0; p < is_member.size(); ++p)
         if(is_member[p])
         {
           again += is_passed[p];
           is_passed[p] = 1;
           cycle.rim.points.push_back(m_loop.points[p]);
-          cycle.lean += std::abs(m_loop.points[p].outward.dot(normal(p)));
+          lean.push_back(std::abs(m_loop.points[p].outward.dot(normal(p))));
         }
       if(2 * again > cycle.rim.points.size())
         continue;
-      cycle.lean /= double(cycle.rim.points.size());
+      const auto middle = lean.begin() + std::ptrdiff_t(lean.size() / 2);
+      std::nth_element(lean.begin(), middle, lean.end());
+      cycle.lean = *middle;
       cycle.rim.measure(m_model.points());
       result.push_back(cycle);
     }
