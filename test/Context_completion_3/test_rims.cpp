@@ -164,6 +164,33 @@ TEST(Rims, Turn_as_the_curvature_of_what_is_missing_lets_them)
     EXPECT_NEAR(end.turns, 0, 0.03);
 }
 
+TEST(Rims, At_the_mouth_of_a_bore_without_points_bound_no_hole)
+{
+  // normals at its edge, where alone there are points, are between those of the plate and of the wall
+  for(bool is_mouth : { false, true })
+  {
+    samples::Samples plate;
+    for(const samples::Oriented_point& s : centered_plane(40))
+      if(std::hypot(s.first.x(), s.first.y()) > 6.7)
+        plate.push_back(s);
+    for(std::size_t i = 0; i < 38; ++i)
+    {
+      const double angle = double(i) * 2 * samples::pi / 38, x = std::cos(angle), y = std::sin(angle);
+      plate.emplace_back(samples::Point(6 * x, 6 * y, 0),
+                         is_mouth ? samples::unit({ -x, -y, 1 }) : samples::Vector(0, 0, 1));
+    }
+    std::size_t around = 0;
+    for(const Rim_cycle& cycle : cycles_of(plate))
+      if(cycle.rim.diameter < 14)
+      {
+        ++around;
+        EXPECT_GT(cycle.turns, 0.5);
+        EXPECT_EQ(cycle.bounds_hole(), !is_mouth);
+      }
+    EXPECT_EQ(around, 1u);
+  }
+}
+
 TEST(Rims, Of_a_slot_that_bends_back_bound_a_hole)
 {
   // its centre is beside it, and its rims lead to all sides

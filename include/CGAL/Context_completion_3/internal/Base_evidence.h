@@ -45,6 +45,22 @@ bool is_evident(const Smooth_patch<ConcurrencyTag>& patch)
 }
 
 /*!
+  Whether the base continues the surface at the rim, on the whole; the end of a tube would have to be capped across.
+  \param least mean cosine between the normals at the rim and the mean one of the base
+*/
+template <typename ConcurrencyTag>
+bool is_faced(const Smooth_patch<ConcurrencyTag>& patch, double least)
+{
+  Vector mean = Vector::Zero();
+  for(const Base_sample& s : patch.samples())
+    mean += s.normal;
+  double sum = 0;
+  for(std::size_t i : patch.rim())
+    sum += patch.surroundings()->model().normal(i).dot(mean.normalized());
+  return sum >= least * double(patch.rim().size());
+}
+
+/*!
   Whether the points thin out, and what the base finds uncovered is near points that are much farther from each other
   than those of the rim, as on the flat parts of an adaptive mesh. The spacing of a point is a median around it: stray
   points in a hole have that of its rim.
@@ -89,6 +105,9 @@ bool is_bulge(const Smooth_patch<ConcurrencyTag>& patch, const Smooth_patch<Conc
 {
   return double(patch.samples().size()) > 1.15 * double(other.samples().size());
 }
+
+/// Share of the points of a rim that fragments have at most, which a base may leave alone.
+inline double largest_fragment() { return 0.2; }
 
 /*!
   A stiff base where relief that the rim cuts leads another one up or down, into a bulge.

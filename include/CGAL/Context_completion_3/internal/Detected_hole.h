@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Base_evidence.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
@@ -49,6 +50,17 @@ struct Detected_hole
     return sum / double(number);
   }
 };
+
+/// A hole that a base fills. \param left_alone the largest share of rim points that a stiff base may leave alone
+template <typename ConcurrencyTag>
+Detected_hole<ConcurrencyTag> hole_of(const std::shared_ptr<const Smooth_patch<ConcurrencyTag> >& patch, double left_alone)
+{
+  Detected_hole<ConcurrencyTag> hole;
+  hole.loops = patch->loops();
+  hole.patch = patch;
+  hole.stiff = without_bulge(*patch, left_alone);
+  return hole;
+}
 
 } // namespace internal
 } // namespace Context_completions_3

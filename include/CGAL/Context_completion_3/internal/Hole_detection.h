@@ -18,15 +18,14 @@
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Named_holes.h>
-#include <CGAL/Context_completion_3/internal/Rim_cycles.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
+#include <CGAL/Context_completion_3/internal/Second_look.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Tube_bridge.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,8 +36,8 @@ namespace internal {
 
 /*!
   Joins loops to holes. A hole is a set of rims whose common smooth base ends at them everywhere and is not covered by
-  points; a rim whose base runs away is an outer border of the surface, unless it ends at an acute edge or the rim of a hole
-  is tied to it; a rim whose base is covered is no rim at all (sharp edges and a sampling that thins out raise many).
+  points; a rim whose base runs away is an outer border of the surface, unless it ends at an acute edge or turns, whole or in
+  part, as a hole does; a rim whose base is covered is no rim at all (sharp edges and a sampling that thins out raise many).
 */
 template <typename ConcurrencyTag>
 class Hole_detection
@@ -62,6 +61,7 @@ public:
   {
     const std::vector<Rim_loop> loops = Rim_detection<ConcurrencyTag>(m_model).loops();
     Grouping grouping(m_model, loops);
+    const Second_look<ConcurrencyTag> second_look(m_model, loops, grouping);
     // Large rims first: islands and fragments are then taken in by the hole that they belong to.
     std::vector<std::size_t> order(loops.size());
     for(std::size_t l = 0; l < loops.size(); ++l)
@@ -93,14 +93,14 @@ public:
         continue;
       if(const auto patch = base_of_broken_rim(loops, grouping, left[k], group))
         add_hole(patch, holes, grouping, group);
-      else if(const auto up_to_edge = base_up_to_edge(loops, grouping, left[k], group))
+      else if(const auto up_to_edge = second_look.base_up_to_edge(left[k], group))
         add_hole(up_to_edge, holes, grouping, group);
-      else if(const auto of_pieces = base_of_pieces(loops, grouping, left[k], group))
+      else if(const auto of_pieces = second_look.base_of_pieces(left[k], group))
         add_hole(of_pieces, holes, grouping, group);
       else if(loop.points.size() >= fewest_border_points())
       {
         Hole border;
-        border.loops.push_back(split_off_holes(loop, holes));
+        border.loops.push_back(second_look.split_off_holes(loop, holes));
         border.is_outer_border = true;
         if(border.loops[0].points.size() == loop.points.size())
           border.patch = cap(loops, grouping, left[k]);
@@ -123,27 +123,11 @@ private:
     grouping.use(group);
     if(!is_evident(*patch) || is_sparse(*patch))
       return;
-    Hole hole;
-    hole.loops = patch->loops();
-    hole.patch = patch;
     // the end of a thin limb is a small share, too, and no fragment
-    hole.stiff = without_bulge(*patch, grouping.is_one_rim(group) ? largest_fragment() : largest_fragment() / 2);
-    holes.push_back(hole);
+    holes.push_back(hole_of(patch, grouping.is_one_rim(group) ? largest_fragment() : largest_fragment() / 2));
   }
 
   static double least_opening() { return Grouping::least_opening(); }
-
-  // The base continues the surface at the rim, on the whole; the end of a tube would have to be capped across.
-  bool is_faced(const Patch& patch, double least = least_opening()) const
-  {
-    Vector mean = Vector::Zero();
-    for(const Base_sample& s : patch.samples())
-      mean += s.normal;
-    double sum = 0;
-    for(std::size_t i : patch.rim())
-      sum += m_model.normal(i).dot(mean.normalized());
-    return sum >= least * double(patch.rim().size());
-  }
 
   // Around a narrow slot there are few samples but those that points of the rim cover, each the one before it. A base
   // that is no evidence must not use up its rims.
@@ -215,7 +199,7 @@ private:
     const auto patch = closed_base(loops, grouping, group);
     // neither this nor that: the end of a tube, or the rim of a hole around sharp edges
     if(patch && opening < least_opening() &&
-       (!is_faced(*patch) || is_mostly_covered(*patch)))
+       (!is_faced(*patch, least_opening()) || is_mostly_covered(*patch)))
       return nullptr;
     return patch;
   }
@@ -244,7 +228,7 @@ private:
       group.push_back(next);
       std::vector<std::size_t> joined = group;
       const auto patch = closed_base(loops, grouping, joined, true);
-      if(patch && is_evident(*patch) && is_faced(*patch))
+      if(patch && is_evident(*patch) && is_faced(*patch, least_opening()))
       {
         group = joined;
         return patch;
@@ -254,135 +238,10 @@ private:
     if(loops[l].opening(m_model.points(), loops[l].center) < least_opening())
       return nullptr;
     const auto patch = closed_base(loops, grouping, group, true);
-    return patch && is_faced(*patch) ? patch : nullptr;
-  }
-
-  // What a second look finds has to be beyond doubt: loops can be taken apart and led on in many ways, and in irregular
-  // samplings some of these close by chance, over places that are covered for the most part. In a narrow slot, too, all
-  // but the middle is near to the rim; but no more than one sample stands before each of its points.
-  static bool is_filled_to_rim(const Patch& patch)
-  {
-    return patch.is_closed() && is_evident(patch) && !is_sparse(patch) &&
-           double(patch.samples().size() - patch.number_of_uncovered()) <= 1.3 * double(patch.rim().size());
-  }
-
-  // A rim in one side of the surface that is open towards an acute edge, where the other side ends with a rim that looks
-  // away. Both together are whole.
-  std::shared_ptr<const Patch> base_up_to_edge(const std::vector<Rim_loop>& loops, const Grouping& grouping,
-                                               std::size_t l, std::vector<std::size_t>& group) const
-  {
-    const Rim_loop& loop = loops[l];
-    if(loop.opening(m_model.points(), loop.center) < 2 * least_opening())
-      return nullptr;
-    Vector mean = Vector::Zero();
-    for(const Rim_point& p : loop.points)
-      mean += m_model.normal(p.index);
-    std::vector<Rim_point> edge;
-    for(std::size_t m = 0; m < loops.size(); ++m)
-      if(m != l && !grouping.is_used(m))
-        std::copy_if(loops[m].points.begin(), loops[m].points.end(), std::back_inserter(edge), [&](const Rim_point& p)
-        {
-          return !is_same_side(m_model.normal(p.index), mean.normalized()) &&
-                 (m_model.position(p.index) - loop.center).norm() < loop.diameter;
-        });
-    if(edge.size() < 3)
-      return nullptr;
-    const auto surroundings =
-      std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, std::vector<Rim_loop>(1, loop), edge);
-    const std::vector<Base_center> guides = Base_edge<ConcurrencyTag>(*surroundings).guides();
-    for(bool is_stiff : { false, true })
-    {
-      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff, std::nullopt, guides);
-      if(!is_filled_to_rim(*patch) || !is_faced(*patch, 3 * least_opening()) ||
-         !goes_around_once(*surroundings, patch->reached_edge().size()))
-        continue;
-      group.assign(1, l);
-      for(std::size_t m = 0; m < loops.size(); ++m)
-        if(m != l && 2 * common_points(loops[m], patch->reached_edge()) > loops[m].points.size())
-          group.push_back(m);
-      return patch;
-    }
-    return nullptr;
-  }
-
-  // Pieces that follow each other around a bent slot, which need not open towards their centre. They are tried once, with the
-  // largest.
-  std::shared_ptr<const Patch> base_of_pieces(const std::vector<Rim_loop>& loops, const Grouping& grouping,
-                                              std::size_t l, std::vector<std::size_t>& group) const
-  {
-    group = grouping.pieces_of_rim(l);
-    std::vector<Rim_loop> pieces;
-    for(std::size_t g : group)
-    {
-      if(loops[g].diameter > loops[l].diameter)
-        return nullptr;
-      pieces.push_back(loops[g]);
-    }
-    if(pieces.size() < 2)
-      return nullptr;
-    const auto surroundings = std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, pieces);
-    if(!goes_around_once(*surroundings, 0))
-      return nullptr;
-    for(bool is_stiff : { false, true })
-    {
-      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
-      if(!is_filled_to_rim(*patch) || !is_faced(*patch) || patch->joined_share() < 1 - largest_fragment())
-        continue;
-      grouping.take_in_reached(patch->reached(), group);
-      return patch;
-    }
-    return nullptr;
-  }
-
-  static std::size_t common_points(const Rim_loop& loop, const std::vector<std::size_t>& points)
-  {
-    return std::size_t(std::count_if(loop.points.begin(), loop.points.end(), [&](const Rim_point& p)
-      { return std::binary_search(points.begin(), points.end(), p.index); }));
-  }
-
-  // The centre of a rim says little where the hole bends, or where the rim is tied to a border, by a narrow strip of the
-  // surface or along an acute edge: then its turns tell that it bounds a hole. Adds the holes, and returns the rest of the
-  // loop.
-  Rim_loop split_off_holes(const Rim_loop& loop, std::vector<Hole>& holes) const
-  {
-    Rim_loop rest = loop;
-    for(const Rim_cycle& cycle : Rim_cycles<ConcurrencyTag>(m_model, loop).cycles())
-    {
-      if(!cycle.bounds_hole() || cycle.rim.points.size() < fewest_rim_points())
-        continue;
-      const auto surroundings =
-        std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, std::vector<Rim_loop>(1, cycle.rim));
-      for(bool is_stiff : { false, true })
-      {
-        const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
-        if(!is_filled_to_rim(*patch))
-          continue;
-        Hole hole;
-        hole.loops = patch->loops();
-        hole.patch = patch;
-        hole.stiff = is_stiff ? nullptr : without_bulge(*patch, largest_fragment());
-        holes.push_back(hole);
-        rest = without(rest, cycle.rim);
-        break;
-      }
-    }
-    return rest;
-  }
-
-  Rim_loop without(const Rim_loop& loop, const Rim_loop& part) const
-  {
-    Rim_loop rest;
-    std::set_difference(loop.points.begin(), loop.points.end(), part.points.begin(), part.points.end(),
-                        std::back_inserter(rest.points),
-                        [](const Rim_point& a, const Rim_point& b) { return a.index < b.index; });
-    if(!rest.points.empty())
-      rest.measure(m_model.points());
-    return rest;
+    return patch && is_faced(*patch, least_opening()) ? patch : nullptr;
   }
 
   static std::size_t most_fragments() { return 4; }
-  // share of rim points; where few points are missing beside a rim, fragments may stay alone
-  static double largest_fragment() { return 0.2; }
 
   // A base over the end of a tube, whose rim opens neither to its centre nor away from it; otherwise none.
   std::shared_ptr<const Patch> cap(const std::vector<Rim_loop>& loops, const Grouping& grouping, std::size_t l) const

@@ -39,12 +39,12 @@ struct Rim_cycle
     an island.
   */
   double turns = 0;
-  double lean = 0;   ///< median of how much the directions into the empty place lean to the normals, as a cosine
-  Rim_loop rim;      ///< the points of the way and those beside it
+  double leaning = 0;   ///< share of points whose direction into the empty place leans to the normal, by a cosine above 0.3
+  Rim_loop rim;         ///< the points of the way and those beside it
 
   /// Whether a smooth surface may go on over the place. The turns are those by which borders of meshes are told, too. Around
   /// a mouth of a bore in which there are no points, normals at the edge are between those of its faces, and lean.
-  bool bounds_hole() const { return turns >= 3. / 8 && lean <= 0.3; }
+  bool bounds_hole() const { return turns >= 3. / 8 && leaning <= 0.5; }
 };
 
 /*!
@@ -79,32 +79,15 @@ public:
       const std::vector<std::size_t> way = shortest_way(start);
       if(way.empty())
         continue;
-      Rim_cycle cycle;
-      std::vector<char> is_member(m_loop.points.size(), 0);
-      for(std::size_t k = 0; k < way.size(); ++k)
-      {
-        cycle.turns += turn(way[k], way[(k + 1) % way.size()]) / (2 * 3.14159265358979323846);
-        is_member[way[k]] = 1;
-        for(std::size_t p : m_beside[way[k]])
-          is_member[p] = 1;
-      }
+      const std::vector<std::size_t> members = with_points_beside(way);
       std::size_t again = 0;
-      std::vector<double> lean;
-      for(std::size_t p = 0; p < is_member.size(); ++p)
-        if(is_member[p])
-        {
-          again += is_passed[p];
-          is_passed[p] = 1;
-          cycle.rim.points.push_back(m_loop.points[p]);
-          lean.push_back(std::abs(m_loop.points[p].outward.dot(normal(p))));
-        }
-      if(2 * again > cycle.rim.points.size())
-        continue;
-      const auto middle = lean.begin() + std::ptrdiff_t(lean.size() / 2);
-      std::nth_element(lean.begin(), middle, lean.end());
-      cycle.lean = *middle;
-      cycle.rim.measure(m_model.points());
-      result.push_back(cycle);
+      for(std::size_t p : members)
+      {
+        again += is_passed[p];
+        is_passed[p] = 1;
+      }
+      if(2 * again <= members.size())
+        result.push_back(cycle(way, members));
     }
     return result;
   }
@@ -177,6 +160,32 @@ private:
     way.push_back(start);
     std::reverse(way.begin(), way.end());
     return way;
+  }
+
+  // in increasing order
+  std::vector<std::size_t> with_points_beside(const std::vector<std::size_t>& way) const
+  {
+    std::vector<std::size_t> members = way;
+    for(std::size_t p : way)
+      members.insert(members.end(), m_beside[p].begin(), m_beside[p].end());
+    std::sort(members.begin(), members.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
+    return members;
+  }
+
+  Rim_cycle cycle(const std::vector<std::size_t>& way, const std::vector<std::size_t>& members) const
+  {
+    Rim_cycle result;
+    for(std::size_t k = 0; k < way.size(); ++k)
+      result.turns += turn(way[k], way[(k + 1) % way.size()]) / (2 * 3.14159265358979323846);
+    for(std::size_t p : members)
+    {
+      result.rim.points.push_back(m_loop.points[p]);
+      if(std::abs(m_loop.points[p].outward.dot(normal(p))) > 0.3)
+        result.leaning += 1 / double(members.size());
+    }
+    result.rim.measure(m_model.points());
+    return result;
   }
 
   // From the direction at `a` to the step, and from this to the direction at `b`: neither is a right angle.

@@ -86,52 +86,6 @@ struct Rim_loop
 };
 
 /*!
-  Loops of at least three of some rim points, in the order of their smallest index: points that are near to each other on
-  the same side of the surface follow each other, if `may_follow` says so.
-  \param rim by increasing index
-*/
-template <typename ConcurrencyTag, typename May_follow>
-std::vector<Rim_loop> link_rim_points(const Surface_model<ConcurrencyTag>& model, const std::vector<Rim_point>& rim,
-                                      const May_follow& may_follow)
-{
-  const double link = 2.7;   // area spacings
-  std::vector<Vector> positions;
-  for(const Rim_point& p : rim)
-    positions.push_back(model.position(p.index));
-  const Neighbor_search search(positions);
-  std::vector<char> seen(rim.size(), 0);
-  std::vector<Rim_loop> loops;
-  std::vector<std::size_t> ball;
-  for(std::size_t start = 0; start < rim.size(); ++start)
-  {
-    if(seen[start])
-      continue;
-    std::vector<std::size_t> members(1, start);
-    seen[start] = 1;
-    for(std::size_t k = 0; k < members.size(); ++k)
-    {
-      const Rim_point& a = rim[members[k]];
-      search.in_ball(positions[members[k]], link * model.area_spacing(a.index), ball);
-      for(std::size_t b : ball)
-        if(!seen[b] && is_same_side(model.normal(a.index), model.normal(rim[b].index)) && may_follow(a, rim[b]))
-        {
-          seen[b] = 1;
-          members.push_back(b);
-        }
-    }
-    if(members.size() < 3)
-      continue;
-    std::sort(members.begin(), members.end());
-    Rim_loop loop;
-    for(std::size_t m : members)
-      loop.points.push_back(rim[m]);
-    loop.measure(model.points());
-    loops.push_back(loop);
-  }
-  return loops;
-}
-
-/*!
   Finds the rims of under-sampled places: the evidence that the default policy asks for besides few points in a cell
   (the paper, section 5, counts only, and a surface that clips the corner of a cell is then taken for a hole).
 
@@ -163,11 +117,12 @@ public:
   }
 
 private:
-  // neighbourhood of the angle test, room of the empty place: in area spacings. An area spacing is about 1.1 times the
-  // nearest neighbour distance of blue noise.
+  // neighbourhood of the angle test, room of the empty place, link of a loop: in area spacings. An area spacing is
+  // about 1.1 times the nearest neighbour distance of blue noise.
   static constexpr double neighborhood() { return 2.4; }
   static constexpr double probe_distance() { return 1.35; }
   static constexpr double probe_room() { return 1.1; }
+  static constexpr double link() { return 2.7; }
   static constexpr double fold_distance() { return 1.2; }
   static constexpr double largest_angle() { return 110. / 180. * 3.14159265358979323846; }
 
@@ -238,16 +193,50 @@ private:
 
   std::vector<Rim_loop> connect(const std::vector<Vector>& outward) const
   {
-    std::vector<Rim_point> rim;
+    std::vector<std::size_t> rim;
+    std::vector<Vector> positions;
     for(std::size_t i = 0; i < outward.size(); ++i)
       if(outward[i] != Vector::Zero())
       {
-        Rim_point point;
-        point.index = i;
-        point.outward = outward[i];
-        rim.push_back(point);
+        rim.push_back(i);
+        positions.push_back(m_model.position(i));
       }
-    return link_rim_points(m_model, rim, [](const Rim_point&, const Rim_point&) { return true; });
+    const Neighbor_search search(positions);
+    std::vector<char> seen(rim.size(), 0);
+    std::vector<Rim_loop> loops;
+    std::vector<std::size_t> ball;
+    for(std::size_t start = 0; start < rim.size(); ++start)
+    {
+      if(seen[start])
+        continue;
+      std::vector<std::size_t> members(1, start);
+      seen[start] = 1;
+      for(std::size_t k = 0; k < members.size(); ++k)
+      {
+        const std::size_t a = rim[members[k]];
+        search.in_ball(m_model.position(a), link() * m_model.area_spacing(a), ball);
+        for(std::size_t b : ball)
+          if(!seen[b] && is_same_side(m_model.normal(a), m_model.normal(rim[b])))
+          {
+            seen[b] = 1;
+            members.push_back(b);
+          }
+      }
+      if(members.size() < 3)
+        continue;
+      std::sort(members.begin(), members.end());
+      Rim_loop loop;
+      for(std::size_t m : members)
+      {
+        Rim_point point;
+        point.index = rim[m];
+        point.outward = outward[rim[m]];
+        loop.points.push_back(point);
+      }
+      loop.measure(m_model.points());
+      loops.push_back(loop);
+    }
+    return loops;
   }
 
   const Model& m_model;
