@@ -54,6 +54,16 @@ public:
   void for_each_in_ball(const Vector& q, double radius, Visit visit) const
   {
     const Key low = key(q - Vector::Constant(radius)), high = key(q + Vector::Constant(radius));
+    double buckets = 1;
+    for(std::size_t c = 0; c < low.size(); ++c)
+      buckets *= double(high[c] - low[c] + 1);
+    if(buckets > double(m_points.size()))   // a large ball, in which nearly all of them are empty
+    {
+      for(std::size_t i = 0; i < m_points.size(); ++i)
+        if(!visit_if_inside(i, q, radius, visit))
+          return;
+      return;
+    }
     for(long x = low[0]; x <= high[0]; ++x)
       for(long y = low[1]; y <= high[1]; ++y)
         for(long z = low[2]; z <= high[2]; ++z)
@@ -62,15 +72,19 @@ public:
           if(bucket == m_buckets.end())
             continue;
           for(std::size_t i : bucket->second)
-          {
-            const double distance = (m_points[i] - q).norm();
-            if(distance <= radius && !visit(i, distance))
+            if(!visit_if_inside(i, q, radius, visit))
               return;
-          }
         }
   }
 
 private:
+  template <typename Visit>
+  bool visit_if_inside(std::size_t i, const Vector& q, double radius, Visit& visit) const
+  {
+    const double distance = (m_points[i] - q).norm();
+    return distance > radius || visit(i, distance);
+  }
+
   Key key(const Vector& p) const
   {
     return Key{{long(std::floor(p.x() / m_size)), long(std::floor(p.y() / m_size)), long(std::floor(p.z() / m_size))}};
