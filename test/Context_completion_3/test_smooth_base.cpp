@@ -565,6 +565,55 @@ TEST(Smooth_patch, Noise_asks_for_a_larger_radius_of_the_fits)
   EXPECT_GT(radius[1], 3.);
 }
 
+TEST(Smooth_patch, Beside_an_outer_border_it_runs_off_before_it_is_sampled)
+{
+  for(const samples::Samples& sheet : { samples::plane_with_hole(), samples::bumpy_plane_with_hole() })
+  {
+    const Surface_points points = samples::engine_points(sheet);
+    const Model model(points);
+    std::size_t closed = 0;
+    for(const Rim_loop& loop : Rim_detection<CGAL::Sequential_tag>(model).loops())
+    {
+      const auto surroundings =
+        std::make_shared<const Rim_surroundings<CGAL::Sequential_tag> >(model, std::vector<Rim_loop>(1, loop));
+      const Smooth_patch<CGAL::Sequential_tag> patch(surroundings);
+      closed += patch.is_closed();
+      if(patch.is_closed())
+      {
+        EXPECT_LT(loop.diameter, 15.);
+      }
+      else
+      {
+        EXPECT_GT(loop.diameter, 30.);
+        EXPECT_TRUE(patch.samples().empty());
+      }
+    }
+    EXPECT_EQ(closed, 1u);
+  }
+}
+
+TEST(Smooth_patch, Is_given_up_where_more_of_it_is_covered_than_is_asked_for)
+{
+  const Surface_points points = samples::engine_points(samples::plane_with_hole());
+  const Model model(points);
+  const Detected* hole = nullptr;
+  const std::vector<Detected> holes = detected(model);
+  for(const Detected& h : holes)
+    if(!h.is_outer_border)
+      hole = &h;
+  ASSERT_TRUE(hole != nullptr);
+  const double covered = double(hole->patch->samples().size() - hole->patch->number_of_uncovered()),
+               share = covered / double(hole->patch->rim().size());
+  ASSERT_GT(share, 0.3);
+  const auto is_closed = [&](double most_covered)
+  {
+    return Smooth_patch<CGAL::Sequential_tag>(hole->patch->surroundings(), false, std::nullopt, std::vector<Base_center>(),
+                                              most_covered).is_closed();
+  };
+  EXPECT_TRUE(is_closed(share + 0.01));
+  EXPECT_FALSE(is_closed(share / 2));
+}
+
 TEST(Point_grid, Equals_brute_force)
 {
   std::vector<Vector> points = random_points(400, 12, 3.);

@@ -80,7 +80,7 @@ public:
     const std::vector<Base_center> guides = Base_edge<ConcurrencyTag>(*surroundings).guides();
     for(bool is_stiff : { false, true })
     {
-      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff, std::nullopt, guides);
+      const auto patch = base(surroundings, is_stiff, guides);
       if(!is_beyond_doubt(*patch) || !is_faced(*patch, 3 * least_opening()) ||
          !goes_around_once(*surroundings, patch->reached_edge().size()))
         continue;
@@ -112,7 +112,7 @@ public:
       return nullptr;
     for(bool is_stiff : { false, true })
     {
-      const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
+      const auto patch = base(surroundings, is_stiff);
       if(!is_beyond_doubt(*patch) || !is_faced(*patch, least_opening()) || patch->joined_share() < 1 - largest_fragment())
         continue;
       m_grouping.take_in_reached(patch->reached(), group);
@@ -135,7 +135,7 @@ public:
         std::make_shared<const Rim_surroundings<ConcurrencyTag> >(m_model, std::vector<Rim_loop>(1, cycle.rim));
       for(bool is_stiff : { false, true })
       {
-        const auto patch = std::make_shared<const Patch>(surroundings, is_stiff);
+        const auto patch = base(surroundings, is_stiff);
         if(!is_beyond_doubt(*patch))
           continue;
         holes.push_back(hole_of(patch, largest_fragment()));
@@ -148,6 +148,15 @@ public:
 
 private:
   static double least_opening() { return Grouping::least_opening(); }
+
+  // A base over a covered place is found out before it is sampled as a whole, which may be the outside of a large border.
+  // The middle of a narrow slot is told to be uncovered only when it is: so the bound is wider than the one below.
+  static std::shared_ptr<const Patch> base(const std::shared_ptr<const Rim_surroundings<ConcurrencyTag> >& surroundings,
+                                           bool is_stiff,
+                                           const std::vector<Base_center>& guides = std::vector<Base_center>())
+  {
+    return std::make_shared<const Patch>(surroundings, is_stiff, std::nullopt, guides, 2.);
+  }
 
   // What a second look finds has to be beyond doubt: loops can be taken apart and led on in many ways, and in irregular
   // samplings some of these close by chance, over places that are covered for the most part. In a narrow slot, too, all

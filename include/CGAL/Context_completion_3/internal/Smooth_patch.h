@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -53,11 +54,14 @@ public:
   /// \param is_stiff lets the base miss the surroundings a little, which keeps it from following relief at the rim off
   /// \param domain where the base ends at the latest, which then closes it; none: nowhere
   /// \param guides further places through which the base leads
+  /// \param most_covered as soon as more samples for each rim point are near to known points, the sampling is given up, and
+  ///        the base is not closed
   explicit Smooth_patch(const std::shared_ptr<const Surroundings>& surroundings, bool is_stiff = false,
                         const std::optional<Bbox_3>& domain = std::nullopt,
-                        const std::vector<Base_center>& guides = std::vector<Base_center>())
+                        const std::vector<Base_center>& guides = std::vector<Base_center>(),
+                        double most_covered = std::numeric_limits<double>::infinity())
     : m_surroundings(surroundings), m_model(surroundings->model()), m_spacing(surroundings->spacing()), m_domain(domain),
-      m_guides(guides)
+      m_guides(guides), m_most_covered(most_covered)
   {
     if(centers().size() < 4)
       return;
@@ -186,9 +190,12 @@ private:
     Point_grid known(1.7 * h), grid(h);
     for(const Vector& x : m_footprints)
       known.insert(x);
+    if(!m_domain && runs_off(known))
+      return;
     std::deque<std::pair<std::size_t, Vector> > front;
     // three discs of this rim; between two rims a tube as long as they are apart
     const double length = double(rim().size()), around = loops().size() > 1 ? length : 0;
+    std::size_t covered = 0;
     const std::size_t most = 60 + std::size_t(3 * length * length / (4 * 3.1416) + around * diameter() / h);
     std::vector<char> is_reached(m_footprints.size(), 0);
     Base_edge<ConcurrencyTag> edge(*m_surroundings);
@@ -223,6 +230,7 @@ private:
       sample.position = x;
       sample.normal = normal;
       sample.is_uncovered = nearest >= 1.5 * h;
+      covered += !sample.is_uncovered;
       if(nearest >= 1.25 * h)
         front.emplace_back(m_samples.size(), (x - from).normalized());
       grid.insert(x);
@@ -238,7 +246,6 @@ private:
         try_sample(from + 1.4 * h * p.outward, from, m_model.normal(p.index), l);
         try_sample(from + h * p.outward, from, m_model.normal(p.index), l);
       }
-    const double farthest = diameter() + 6 * h;
     while(!front.empty())
     {
       const std::size_t a = front.front().first;
@@ -250,7 +257,7 @@ private:
       const double angle[] = {0, 1.0472, -1.0472, 2.0944, -2.0944, 3.1416};
       for(double t : angle)
         try_sample(sample.position + h * (std::cos(t) * u + std::sin(t) * v), sample.position, sample.normal, origin[a]);
-      if(!m_domain && (m_samples.size() > most || (sample.position - loops().front().center).norm() > farthest))
+      if((!m_domain && (m_samples.size() > most || is_far_off(sample.position))) || double(covered) > m_most_covered * double(rim().size()))
       {
         m_is_closed = false;
         return;
@@ -268,6 +275,51 @@ private:
     m_reached_edge = edge.reached();
     std::sort(m_reached.begin(), m_reached.end());
     m_reached.erase(std::unique(m_reached.begin(), m_reached.end()), m_reached.end());
+  }
+
+  bool is_far_off(const Vector& x) const
+  {
+    return (x - loops().front().center).norm() > diameter() + 6 * m_spacing;
+  }
+
+  // Beside an outer border the sampling would fill a disc as large as the surface, or more, before it is far off. A straight
+  // way on the base tells as much, if the sampling is sure to find a way along it: there is room on both sides.
+  bool runs_off(const Point_grid& known) const
+  {
+    const double h = m_spacing, room = 2.2 * h;
+    const std::size_t most_ways = 64, step = (std::max)(std::size_t(8), rim().size() / most_ways);
+    const int most_steps = int(2 * diameter() / h) + 12;   // it may be led around in circles
+    Base_edge<ConcurrencyTag> edge(*m_surroundings);
+    std::size_t number = 0;
+    for(const Rim_loop& loop : loops())
+      for(const Rim_point& p : loop.points)
+      {
+        if(number++ % step != 0)
+          continue;
+        Vector x = m_model.position(p.index), normal = m_model.normal(p.index), direction = p.outward;
+        for(int k = 0; k < most_steps; ++k)
+        {
+          const Vector from = x, from_normal = normal;
+          x += (k == 0 ? 1.4 : 1.) * h * direction;
+          if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h ||
+             edge.is_beyond(x, normal) || (k > 0 && is_near_footprint(known, x, normal, room)))
+            break;
+          if(is_far_off(x))
+            return true;
+          direction = x - from;
+          direction = (direction - direction.dot(normal) * normal).normalized();
+        }
+      }
+    return false;
+  }
+
+  bool is_near_footprint(const Point_grid& known, const Vector& x, const Vector& normal, double distance) const
+  {
+    bool is_near = false;
+    known.for_each_in_ball(x, distance, [&](std::size_t k, double) {
+      is_near = is_same_side(normal, m_footprint_normals[k]);
+      return !is_near; });
+    return is_near;
   }
 
   // A domain may be without bounds.
@@ -327,6 +379,7 @@ private:
   double m_spacing;
   std::optional<Bbox_3> m_domain;
   std::vector<Base_center> m_guides;
+  double m_most_covered;
   std::unique_ptr<Polyharmonic_base> m_base;
   Eigen::VectorXd m_coefficients;
   std::vector<Vector> m_footprints, m_footprint_normals;
