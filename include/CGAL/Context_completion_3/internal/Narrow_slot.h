@@ -62,7 +62,7 @@ public:
     const auto try_place = [&](Vector x) -> bool
     {
       Vector normal;
-      if(!m_project(x, normal) || is_near_point(known, x, normal, 1.5 * h))
+      if(!m_project(x, normal) || has_point_on_side(known, m_normals, x, normal, 1.5 * h))
         return false;
       bool is_free = true;
       grid.for_each_in_ball(x, distance, [&](std::size_t p, double) {
@@ -108,7 +108,7 @@ public:
       return false;
     const Point_grid known = grid_of_points(clear);
     if(std::any_of(samples.begin(), samples.end(), [&](const Base_sample& s) {
-         return is_near_point(known, s.position, s.normal, clear); }))
+         return has_point_on_side(known, m_normals, s.position, s.normal, clear); }))
       return false;
     for(Base_sample& s : samples)
       s.is_uncovered = true;
@@ -122,15 +122,6 @@ private:
     for(const Vector& x : m_footprints)
       grid.insert(x);
     return grid;
-  }
-
-  bool is_near_point(const Point_grid& known, const Vector& x, const Vector& normal, double distance) const
-  {
-    bool is_near = false;
-    known.for_each_in_ball(x, distance, [&](std::size_t k, double) {
-      is_near = is_same_side(normal, m_normals[k]);
-      return !is_near; });
-    return is_near;
   }
 
   const std::vector<Vector>& m_footprints;

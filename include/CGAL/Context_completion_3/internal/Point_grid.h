@@ -95,6 +95,17 @@ private:
   std::unordered_map<Key, std::vector<std::size_t>, boost::hash<Key> > m_buckets;
 };
 
+/// Whether there is a point within a distance whose normal looks to the same side. \param normals of the points of the grid
+inline bool has_point_on_side(const Point_grid& grid, const std::vector<Vector>& normals, const Vector& x,
+                              const Vector& normal, double distance)
+{
+  bool is_found = false;
+  grid.for_each_in_ball(x, distance, [&](std::size_t i, double) {
+    is_found = is_same_side(normal, normals[i]);
+    return !is_found; });
+  return is_found;
+}
+
 } // namespace internal
 } // namespace Context_completions_3
 } // namespace CGAL

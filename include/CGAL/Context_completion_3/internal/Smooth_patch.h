@@ -61,7 +61,7 @@ public:
                         const std::vector<Base_center>& guides = std::vector<Base_center>(),
                         double most_covered = std::numeric_limits<double>::infinity())
     : m_surroundings(surroundings), m_model(surroundings->model()), m_spacing(surroundings->spacing()), m_domain(domain),
-      m_guides(guides), m_most_covered(most_covered)
+      m_guides(guides)
   {
     if(centers().size() < 4)
       return;
@@ -74,7 +74,7 @@ public:
                       : std::make_unique<Polyharmonic_base>(positions, scale());
     m_coefficients = m_base->solve(normal_data()).col(0);
     project_band();
-    grow();
+    grow(most_covered);
     if(m_is_closed)
     {
       relax();
@@ -184,7 +184,7 @@ private:
     }
   }
 
-  void grow()
+  void grow(double most_covered)
   {
     const double h = m_spacing;
     Point_grid known(1.7 * h), grid(h);
@@ -205,8 +205,7 @@ private:
     const auto try_sample = [&](Vector x, const Vector& from, const Vector& from_normal, std::size_t loop) -> bool
     {
       Vector normal;
-      if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h || !is_in_domain(x) ||
-         edge.is_beyond(x, normal))
+      if(!step(edge, from, from_normal, x, normal))
         return false;
       double nearest = 1.7 * h;
       bool is_free = true;
@@ -257,11 +256,10 @@ private:
       const double angle[] = {0, 1.0472, -1.0472, 2.0944, -2.0944, 3.1416};
       for(double t : angle)
         try_sample(sample.position + h * (std::cos(t) * u + std::sin(t) * v), sample.position, sample.normal, origin[a]);
-      if((!m_domain && (m_samples.size() > most || is_far_off(sample.position))) || double(covered) > m_most_covered * double(rim().size()))
-      {
-        m_is_closed = false;
+      if(!m_domain && (m_samples.size() > most || is_far_off(sample.position)))
         return;
-      }
+      if(double(covered) > most_covered * double(rim().size()))
+        return;
     }
     m_is_closed = true;
     std::vector<std::size_t> points(loops().size(), 0);
@@ -277,6 +275,13 @@ private:
     m_reached.erase(std::unique(m_reached.begin(), m_reached.end()), m_reached.end());
   }
 
+  // Moves `x`, about one spacing beside `from`, onto the base. \return whether the base goes on there
+  bool step(Base_edge<ConcurrencyTag>& edge, const Vector& from, const Vector& from_normal, Vector& x, Vector& normal) const
+  {
+    return project(x, normal) && normal.dot(from_normal) >= 0.2 && (x - from).norm() <= 1.8 * m_spacing &&
+           is_in_domain(x) && !edge.is_beyond(x, normal);
+  }
+
   bool is_far_off(const Vector& x) const
   {
     return (x - loops().front().center).norm() > diameter() + 6 * m_spacing;
@@ -287,22 +292,22 @@ private:
   bool runs_off(const Point_grid& known) const
   {
     const double h = m_spacing, room = 2.2 * h;
-    const std::size_t most_ways = 64, step = (std::max)(std::size_t(8), rim().size() / most_ways);
+    const std::size_t most_ways = 64, every = (std::max)(std::size_t(8), rim().size() / most_ways);
     const int most_steps = int(2 * diameter() / h) + 12;   // it may be led around in circles
     Base_edge<ConcurrencyTag> edge(*m_surroundings);
     std::size_t number = 0;
     for(const Rim_loop& loop : loops())
       for(const Rim_point& p : loop.points)
       {
-        if(number++ % step != 0)
+        if(number++ % every != 0)
           continue;
         Vector x = m_model.position(p.index), normal = m_model.normal(p.index), direction = p.outward;
         for(int k = 0; k < most_steps; ++k)
         {
           const Vector from = x, from_normal = normal;
           x += (k == 0 ? 1.4 : 1.) * h * direction;
-          if(!project(x, normal) || normal.dot(from_normal) < 0.2 || (x - from).norm() > 1.8 * h ||
-             edge.is_beyond(x, normal) || (k > 0 && is_near_footprint(known, x, normal, room)))
+          if(!step(edge, from, from_normal, x, normal) ||
+             (k > 0 && has_point_on_side(known, m_footprint_normals, x, normal, room)))
             break;
           if(is_far_off(x))
             return true;
@@ -311,15 +316,6 @@ private:
         }
       }
     return false;
-  }
-
-  bool is_near_footprint(const Point_grid& known, const Vector& x, const Vector& normal, double distance) const
-  {
-    bool is_near = false;
-    known.for_each_in_ball(x, distance, [&](std::size_t k, double) {
-      is_near = is_same_side(normal, m_footprint_normals[k]);
-      return !is_near; });
-    return is_near;
   }
 
   // A domain may be without bounds.
@@ -379,7 +375,6 @@ private:
   double m_spacing;
   std::optional<Bbox_3> m_domain;
   std::vector<Base_center> m_guides;
-  double m_most_covered;
   std::unique_ptr<Polyharmonic_base> m_base;
   Eigen::VectorXd m_coefficients;
   std::vector<Vector> m_footprints, m_footprint_normals;
