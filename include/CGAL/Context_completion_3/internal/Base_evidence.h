@@ -41,7 +41,7 @@ bool is_evident(const Smooth_patch<ConcurrencyTag>& patch)
 {
   return patch.number_of_uncovered() >= Smooth_patch<ConcurrencyTag>::fewest_uncovered() &&
          patch.rim().size() >= fewest_rim_points() &&
-         double(patch.rim().size()) * patch.spacing() >= patch.diameter();
+         double(patch.rim().size()) * patch.surroundings()->gap_spacing() >= patch.diameter();
 }
 
 /*!
@@ -95,7 +95,7 @@ bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
 template <typename ConcurrencyTag>
 bool goes_around_once(const Rim_surroundings<ConcurrencyTag>& surroundings, std::size_t further)
 {
-  const double length = double(surroundings.rim().size() + further) * surroundings.spacing();
+  const double length = double(surroundings.rim().size() + further) * surroundings.gap_spacing();
   return length >= 1.8 * surroundings.diameter() && length <= 4 * surroundings.diameter();
 }
 

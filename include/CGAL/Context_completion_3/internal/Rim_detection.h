@@ -128,7 +128,7 @@ private:
 
   Vector free_direction(std::size_t i) const
   {
-    const double radius = neighborhood() * m_model.area_spacing(i);
+    const double radius = neighborhood() * m_model.gap_spacing(i);
     const Vector p = m_model.position(i);
     std::vector<std::size_t> ball;
     m_model.search().in_ball(p, radius, ball);
@@ -144,7 +144,7 @@ private:
       else
       {
         behind.push_back(m_model.position(j));
-        if((behind.back() - p).norm() < fold_distance() * m_model.area_spacing(i))
+        if((behind.back() - p).norm() < fold_distance() * m_model.gap_spacing(i))
           is_at_fold = true;
       }
     if(around.size() < 4)
@@ -180,13 +180,13 @@ private:
     // The surface goes on around an acute edge. Where the other side goes on below the empty place, it is a thin plate
     // with a hole in this side.
     const auto is_ahead = [&](const Vector& q)
-      { return (q - p).dot(direction) > probe_distance() * m_model.area_spacing(i); };
+      { return (q - p).dot(direction) > probe_distance() * m_model.gap_spacing(i); };
     if(is_at_fold && std::none_of(behind.begin(), behind.end(), is_ahead))
       return Vector::Zero();
-    const Vector probe = p + probe_distance() * m_model.area_spacing(i) * direction;
+    const Vector probe = p + probe_distance() * m_model.gap_spacing(i) * direction;
     for(std::size_t j : ball)
       if(is_same_side(m_model.normal(i), m_model.normal(j)) &&
-         (m_model.position(j) - probe).norm() < probe_room() * m_model.area_spacing(i))
+         (m_model.position(j) - probe).norm() < probe_room() * m_model.gap_spacing(i))
         return Vector::Zero();
     return direction;
   }
@@ -214,7 +214,7 @@ private:
       for(std::size_t k = 0; k < members.size(); ++k)
       {
         const std::size_t a = rim[members[k]];
-        search.in_ball(m_model.position(a), link() * m_model.area_spacing(a), ball);
+        search.in_ball(m_model.position(a), link() * m_model.gap_spacing(a), ball);
         for(std::size_t b : ball)
           if(!seen[b] && is_same_side(m_model.normal(a), m_model.normal(rim[b])))
           {

@@ -192,7 +192,7 @@ private:
     std::vector<std::size_t> ball;
     for(std::size_t i : index)
     {
-      search.in_ball(m_model.position(i), 4 * m_model.area_spacing(i), ball);
+      search.in_ball(m_model.position(i), 4 * m_model.gap_spacing(i), ball);
       for(std::size_t j : ball)
       {
         const std::size_t a = m_rim_of_loop[m_loop_of_point[i]], b = m_rim_of_loop[m_loop_of_point[index[j]]];

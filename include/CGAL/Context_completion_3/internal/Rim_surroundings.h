@@ -88,6 +88,9 @@ public:
   const std::vector<Base_center>& centers() const { return m_centers; }
   double spacing() const { return m_spacing; }
 
+  /// Spacing of an even sampling that has gaps as wide.
+  double gap_spacing() const { return m_spacing * m_model.irregularity(); }
+
   /// Square root of the area per point, at the rim.
   double area_spacing() const { return m_area_spacing; }
 

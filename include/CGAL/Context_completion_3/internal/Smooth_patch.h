@@ -80,7 +80,7 @@ public:
       relax();
       if(number_of_uncovered() < fewest_uncovered() && is_rim_whole())
       {
-        const Narrow_slot slot(m_footprints, m_footprint_normals, m_spacing,
+        const Narrow_slot slot(m_footprints, m_footprint_normals, m_surroundings->gap_spacing(),
                                [&](Vector& x, Vector& normal) { return project(x, normal); });
         if(!slot.look_between(m_samples, fewest_uncovered()) && joins_rims())
           slot.look_for_void(m_samples, rim().size());
@@ -186,15 +186,15 @@ private:
 
   void grow(double most_covered)
   {
-    const double h = m_spacing;
-    Point_grid known(1.7 * h), grid(h);
+    const double h = m_spacing, gap = m_surroundings->gap_spacing();
+    Point_grid known(1.7 * gap), grid(h);
     for(const Vector& x : m_footprints)
       known.insert(x);
     if(!m_domain && runs_off(known))
       return;
     std::deque<std::pair<std::size_t, Vector> > front;
     // three discs of this rim; between two rims a tube as long as they are apart
-    const double length = double(rim().size()), around = loops().size() > 1 ? length : 0;
+    const double length = double(rim().size()) * gap / h, around = loops().size() > 1 ? length : 0;
     std::size_t covered = 0;
     const std::size_t most = 60 + std::size_t(3 * length * length / (4 * 3.1416) + around * diameter() / h);
     std::vector<char> is_reached(m_footprints.size(), 0);
@@ -207,9 +207,9 @@ private:
       Vector normal;
       if(!step(edge, from, from_normal, x, normal))
         return false;
-      double nearest = 1.7 * h;
+      double nearest = 1.7 * gap;
       bool is_free = true;
-      known.for_each_in_ball(x, 1.7 * h, [&](std::size_t k, double d) {
+      known.for_each_in_ball(x, 1.7 * gap, [&](std::size_t k, double d) {
         if(!is_same_side(normal, m_footprint_normals[k]))
           return true;
         is_reached[k] = 1;
@@ -228,9 +228,9 @@ private:
       Base_sample sample;
       sample.position = x;
       sample.normal = normal;
-      sample.is_uncovered = nearest >= 1.5 * h;
+      sample.is_uncovered = nearest >= 1.5 * gap;
       covered += !sample.is_uncovered;
-      if(nearest >= 1.25 * h)
+      if(nearest >= 1.25 * gap)
         front.emplace_back(m_samples.size(), (x - from).normalized());
       grid.insert(x);
       m_samples.push_back(sample);
@@ -242,8 +242,8 @@ private:
       {
         const Vector from = m_model.position(p.index);
         // the farther one first: a sample close to the rim is covered, starts nothing and would bar the other
-        try_sample(from + 1.4 * h * p.outward, from, m_model.normal(p.index), l);
-        try_sample(from + h * p.outward, from, m_model.normal(p.index), l);
+        try_sample(from + 1.4 * gap * p.outward, from, m_model.normal(p.index), l);
+        try_sample(from + gap * p.outward, from, m_model.normal(p.index), l);
       }
     while(!front.empty())
     {
@@ -278,7 +278,7 @@ private:
   // Moves `x`, about one spacing beside `from`, onto the base. \return whether the base goes on there
   bool step(Base_edge<ConcurrencyTag>& edge, const Vector& from, const Vector& from_normal, Vector& x, Vector& normal) const
   {
-    return project(x, normal) && normal.dot(from_normal) >= 0.2 && (x - from).norm() <= 1.8 * m_spacing &&
+    return project(x, normal) && normal.dot(from_normal) >= 0.2 && (x - from).norm() <= 1.8 * m_surroundings->gap_spacing() &&
            is_in_domain(x) && !edge.is_beyond(x, normal);
   }
 
@@ -291,7 +291,7 @@ private:
   // way on the base tells as much, if the sampling is sure to find a way along it: there is room on both sides.
   bool runs_off(const Point_grid& known) const
   {
-    const double h = m_spacing, room = 2.2 * h;
+    const double h = m_spacing, gap = m_surroundings->gap_spacing(), room = 2.2 * gap;
     const std::size_t most_ways = 64, every = (std::max)(std::size_t(8), rim().size() / most_ways);
     const int most_steps = int(2 * diameter() / h) + 12;   // it may be led around in circles
     Base_edge<ConcurrencyTag> edge(*m_surroundings);
@@ -305,7 +305,7 @@ private:
         for(int k = 0; k < most_steps; ++k)
         {
           const Vector from = x, from_normal = normal;
-          x += (k == 0 ? 1.4 : 1.) * h * direction;
+          x += (k == 0 ? 1.4 * gap : h) * direction;
           if(!step(edge, from, from_normal, x, normal) ||
              (k > 0 && has_point_on_side(known, m_footprint_normals, x, normal, room)))
             break;
@@ -368,7 +368,7 @@ private:
 
   // A closed curve is at least twice as long as its diameter. Three quarters of it are found, if rim points are as near
   // to each other as points are in general.
-  bool is_rim_whole() const { return double(rim().size()) * m_spacing >= 1.5 * diameter(); }
+  bool is_rim_whole() const { return double(rim().size()) * m_surroundings->gap_spacing() >= 1.5 * diameter(); }
 
   std::shared_ptr<const Surroundings> m_surroundings;
   const Model& m_model;
