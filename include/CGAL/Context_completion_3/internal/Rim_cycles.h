@@ -39,12 +39,21 @@ struct Rim_cycle
     an island.
   */
   double turns = 0;
+
+  /// The same on the surface as it is in the mean over 0.15 diameters. The flanks of a relief turn normals to and fro, and
+  /// `turns` with them; the mean surface ends a little before the rim.
+  double smooth_turns = 0;
+
   double leaning = 0;   ///< share of points whose direction into the empty place leans to the normal, by a cosine above 0.3
   Rim_loop rim;         ///< the points of the way and those beside it
 
-  /// Whether a smooth surface may go on over the place. The turns are those by which borders of meshes are told, too. Around
-  /// a mouth of a bore in which there are no points, normals at the edge are between those of its faces, and lean.
-  bool bounds_hole() const { return turns >= 3. / 8 && leaning <= 0.5; }
+  /// Whether a smooth surface may go on over the place, by turns that agree. Three eighths are the bound by which borders of
+  /// meshes are told, too. Around a mouth of a bore in which there are no points, normals at the edge are between those of
+  /// its faces, and lean.
+  bool bounds_hole() const
+  {
+    return (std::max)(turns, smooth_turns) >= 3. / 8 && std::abs(turns - smooth_turns) <= 1. / 4 && leaning <= 0.5;
+  }
 };
 
 /*!
@@ -100,6 +109,8 @@ private:
   Vector position(std::size_t p) const { return m_model.position(m_loop.points[p].index); }
   const Vector& normal(std::size_t p) const { return m_model.normal(m_loop.points[p].index); }
 
+  struct Oriented_place { Vector position, normal; };
+
   // with the empty place on the left
   Vector direction(std::size_t p) const { return m_loop.points[p].outward.cross(normal(p)); }
 
@@ -113,7 +124,7 @@ private:
     std::vector<std::size_t> near;
     for(std::size_t a = 0; a < positions.size(); ++a)
     {
-      const double h = m_model.area_spacing(m_loop.points[a].index);
+      const double h = m_model.gap_spacing(m_loop.points[a].index);
       search.in_ball(positions[a], longest_step() * h, near);
       for(std::size_t b : near)
       {
@@ -176,8 +187,6 @@ private:
   Rim_cycle cycle(const std::vector<std::size_t>& way, const std::vector<std::size_t>& members) const
   {
     Rim_cycle result;
-    for(std::size_t k = 0; k < way.size(); ++k)
-      result.turns += turn(way[k], way[(k + 1) % way.size()]) / (2 * 3.14159265358979323846);
     for(std::size_t p : members)
     {
       result.rim.points.push_back(m_loop.points[p]);
@@ -185,14 +194,53 @@ private:
         result.leaning += 1 / double(members.size());
     }
     result.rim.measure(m_model.points());
+    std::vector<Oriented_place> exact, smooth;
+    for(std::size_t p : way)
+    {
+      exact.push_back({position(p), normal(p)});
+      smooth.push_back(mean_place(p, 0.15 * result.rim.diameter));
+    }
+    result.turns = turns(way, exact);
+    result.smooth_turns = turns(way, smooth);
     return result;
   }
 
-  // From the direction at `a` to the step, and from this to the direction at `b`: neither is a right angle.
-  double turn(std::size_t a, std::size_t b) const
+  // of the surface around a point
+  Oriented_place mean_place(std::size_t p, double radius) const
   {
-    const Vector step = position(b) - position(a);
-    return angle(direction(a), step, normal(a)) + angle(step, direction(b), normal(b));
+    std::vector<std::size_t> ball;
+    m_model.search().in_ball(position(p), radius, ball);
+    Oriented_place sum = { Vector::Zero(), Vector::Zero() };
+    std::size_t number = 0;
+    for(std::size_t i : ball)
+      if(is_same_side(normal(p), m_model.normal(i)))
+      {
+        sum.position += m_model.position(i);
+        sum.normal += m_model.normal(i);
+        ++number;
+      }
+    return { Vector(sum.position / double(number)), Vector(sum.normal.normalized()) };   // the point itself is one of them
+  }
+
+  // \param places parallel to the way
+  double turns(const std::vector<std::size_t>& way, const std::vector<Oriented_place>& places) const
+  {
+    double sum = 0;
+    for(std::size_t k = 0; k < way.size(); ++k)
+    {
+      const std::size_t next = (k + 1) % way.size();
+      const Vector before = m_loop.points[way[k]].outward.cross(places[k].normal);
+      const Vector after = m_loop.points[way[next]].outward.cross(places[next].normal);
+      sum += turn(before, places[next].position - places[k].position, after, places[k].normal, places[next].normal);
+    }
+    return sum / (2 * 3.14159265358979323846);
+  }
+
+  // From the direction before a step to this, and from this to the direction after it: neither is a right angle.
+  static double turn(const Vector& before, const Vector& step, const Vector& after, const Vector& normal_before,
+                     const Vector& normal_after)
+  {
+    return angle(before, step, normal_before) + angle(step, after, normal_after);
   }
 
   // in the tangent plane, positive to the left
