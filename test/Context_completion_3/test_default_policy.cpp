@@ -299,12 +299,16 @@ TEST(Default_policy, Walls_of_a_whole_copy_stay_steep)
   EXPECT_LT(sum / double(result.added.size()), 0.027) << result.outcomes[result.chosen.front()].reason;
 }
 
-TEST(Default_policy, Copies_are_as_dense_as_the_surroundings_of_the_hole)
+// An egg box whose right half is sampled differently, and alone may serve as an example, and with a hole in the left one.
+class Other_density : public testing::TestWithParam<double>
 {
-  // an egg box whose right half is sampled twice as densely, and alone may serve as an example
+};
+
+TEST_P(Other_density, Copies_are_as_dense_as_the_surroundings_of_the_hole)
+{
   samples::Samples surface, removed;
   for(const samples::Oriented_point& s :
-      samples::thinning_plane(64, [](double x, double) { return x < 32 ? 0.9 : 0.63; }))
+      samples::thinning_plane(64, [](double x, double) { return x < 32 ? 0.9 : GetParam(); }))
   {
     const double x = s.first.x(), y = s.first.y();
     surface.emplace_back(samples::Point(x, y, std::sin(k * x) * std::sin(k * y)),
@@ -318,8 +322,12 @@ TEST(Default_policy, Copies_are_as_dense_as_the_surroundings_of_the_hole)
   ASSERT_EQ(result.chosen.size(), 1u);
   EXPECT_EQ(result.outcomes[result.chosen.front()].filling, Filling::copied);
   EXPECT_LT(mean_error(result, egg_box_distance), 0.1);
-  EXPECT_NEAR(double(result.added.size()), double(removed.size()), 0.2 * double(removed.size()));
+  EXPECT_NEAR(double(result.added.size()), double(removed.size()), 0.25 * double(removed.size()));
 }
+
+INSTANTIATE_TEST_SUITE_P(Examples, Other_density, testing::Values(0.63, 1.3),
+                         [](const testing::TestParamInfo<double>& info)
+                         { return info.param < 0.9 ? std::string("twice_as_dense") : std::string("half_as_dense"); });
 
 // Three faces that meet in a corner, of which there is no other: nothing foresees the edges in the hole, and there is
 // nothing to learn from how wrong that is. The report must say so.

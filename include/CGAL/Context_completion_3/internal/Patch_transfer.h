@@ -233,7 +233,7 @@ private:
       const Base_sample& b = m_patch.samples()[s];
       if((!relief.is_faceted.empty() && relief.is_faceted[s]) || is_known(b.position))
         continue;
-      const double room = relief.copy[s] == no_index ? smooth_room : 1.15;
+      double room = smooth_room;
       double height; Vector gradient, direction;
       m_sampler.interpolate(s, b.position, heights, height, gradient, direction);
       Added_point point;
@@ -243,12 +243,21 @@ private:
       {
         const Place& place = relief.copies[relief.copy[s]].place;
         const Source& source = m_sources[place.source];
-        point.source =
-          source.original_index(source.model->search().nearest(place.motion.inverse(point.position)).first);
+        const std::size_t i = source.model->search().nearest(place.motion.inverse(point.position)).first;
+        room = room_beside_carried(source.model->area_spacing(i));
+        point.source = source.original_index(i);
         point.source_set = source.set;
       }
       add(point, room, (std::max)(0.7, room), (std::max)(0.9, room), grid, result);
     }
+  }
+
+  // In spacings. Samples fill the gaps that carried points leave, and where the place has fewer points than are wanted here,
+  // they stand between these, too.
+  double room_beside_carried(double spacing) const
+  {
+    const double ratio = spacing / m_patch.surroundings()->area_spacing_behind();
+    return 1.15 - 0.3 * (std::max)(0., (std::min)(1., (ratio - 1.1) / 0.2));
   }
 
   // rooms in spacings: to new points, to rim points, to other known points
