@@ -380,6 +380,7 @@ struct Deviation
 {
   std::size_t added = 0;
   double distance = 0, turned = 0;
+  std::string reasons;
 };
 
 Deviation completed(const Edged_surface& surface, bool with_facets)
@@ -396,6 +397,8 @@ Deviation completed(const Edged_surface& surface, bool with_facets)
   EXPECT_TRUE(engine.complete(chosen, Engine::Callback()));
   Deviation result;
   result.added = engine.added().size();
+  for(std::size_t h : chosen)
+    result.reasons += engine.outcomes()[h].reason + "\n";
   for(const Added_point& p : engine.added())
   {
     result.distance += std::abs(surface.distance(p.position)) / double(result.added);
@@ -424,6 +427,18 @@ Edged_surface plate(double half_thickness, double radius)
 {
   return cut("plate", [=](const Vector& p)
     { return (std::max)({ std::abs(p.z()) - half_thickness, p.x() - 3, p.y() - 3 }); }, 26, radius);
+}
+
+TEST(Sharp_edges, finer_levels_leave_facets_as_they_are)
+{
+  // Pieces are promised by fake ones, which know nothing of facets: some were put in the place of exact ones here.
+  for(const Edged_surface& surface : { plate(3, 10), plate(4, 12) })
+  {
+    const Deviation made = completed(surface, true);
+    EXPECT_NE(made.reasons.find("sharp edges go on"), std::string::npos);
+    EXPECT_EQ(made.reasons.find("finer levels"), std::string::npos);
+    EXPECT_LT(made.distance, 1e-6);
+  }
 }
 
 TEST(Sharp_edges, where_the_corner_of_a_plate_is_cut_off_its_sides_go_on_until_they_meet)

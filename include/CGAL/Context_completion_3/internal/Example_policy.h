@@ -175,6 +175,9 @@ public:
       p.match = match.hole;
       p.match.shrink();
       p.refinement = m_completion.refinement(p.match, patch.hole, m_piece_search);
+      // facets are exact or wrong as a whole, and the forecast of a piece, which is not one of facets, cannot tell
+      if(p.match.is_faceted())
+        p.last_level = p.first_level;
       if(p.last_level == p.first_level)
         finish(target.chosen);
       return;

@@ -228,8 +228,6 @@ public:
         continue;
       const double step = w * (filling.heights[Eigen::Index(i)] - m_relief.heights[s]);
       m_relief.heights[s] += step;
-      if(!m_relief.is_faceted.empty())
-        m_relief.is_faceted[std::size_t(s)] = 0;
       for(Carried_place& other : m_relief.copies) // where it keeps its points, they follow
         other.displacement[s] += step;
       if(w > 0.5)
