@@ -457,6 +457,24 @@ TEST(Sharp_edges, where_the_corner_of_a_plate_is_cut_off_its_sides_go_on_until_t
   }
 }
 
+TEST(Sharp_edges, facets_that_meet_far_off_make_no_spike)
+{
+  // The end of a beam whose sides taper: they would meet 24 above the middle of the hole, the end is at 2. These are holes
+  // whose base goes across; where it leads up itself, facets follow it.
+  for(double radius : { 5., 6., 10., 12. })
+  {
+    const Edged_surface surface = cut("beam", [](const Vector& p)
+      { return (std::max)((std::max)(std::abs(p.x()), std::abs(p.y())) + 0.25 * p.z() - 6, p.z() - 2) / 1.03; }, 22, radius);
+    typedef Completion_engine<CGAL::Sequential_tag> Engine;
+    Engine engine(surface.known, Engine_parameters());
+    ASSERT_TRUE(engine.detect(Engine::Callback()));
+    ASSERT_EQ(engine.holes().size(), 2u);   // one is the other end, where the sampling stops
+    ASSERT_TRUE(engine.complete({ 0, 1 }, Engine::Callback()));
+    for(const Added_point& p : engine.added())
+      EXPECT_LT(p.position.z(), 10);
+  }
+}
+
 TEST(Sharp_edges, the_end_of_a_beam_whose_sides_never_meet_stays_open)
 {
   typedef Completion_engine<CGAL::Sequential_tag> Engine;

@@ -26,6 +26,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -67,7 +68,7 @@ public:
   /// \param guess per sample: of several surfaces the nearest to it is taken, and where there is none, it stays
   Eigen::VectorXd own_heights(const Eigen::VectorXd& guess) const { return heights(*m_own, guess); }
 
-  /// Points on them within the hole; none if they do not close it.
+  /// Points on them within the hole; none if they do not close it, or only in a spike.
   Surface_points own_points() const
   {
     // as far apart as the known points, and about as many as of these there would be, which lie less evenly; a little
@@ -78,7 +79,8 @@ public:
       for(const Rim_loop& loop : m_patch.loops())
         for(const Rim_point& p : loop.points)
           seeds.push_back(m_known.position(p.index) + step * spacing * p.outward);
-    return sample_facets(*m_own, m_band, seeds, spacing, 4 * m_patch.samples().size() + 60);
+    const Surface_points points = sample_facets(*m_own, m_band, seeds, spacing, 4 * m_patch.samples().size() + 60);
+    return is_spike(points) ? Surface_points() : points;
   }
 
   /// The same of the facets around a place, without what it has in the hole.
@@ -136,6 +138,14 @@ public:
   }
 
 private:
+  // Whether facets meet far above or below the base, in a spike. The fake holes cannot tell: they judge heights, and these
+  // have a limit, which the corner of a cube that is cut off across exceeds by a third.
+  bool is_spike(const Surface_points& points) const
+  {
+    return std::any_of(points.position.begin(), points.position.end(), [&](const Vector& x)
+      { return m_sampler.search().nearest(x).second > 2 * m_sampler.height_limit(); });
+  }
+
   Eigen::VectorXd heights(const Facet_continuation& facets, const Eigen::VectorXd& guess) const
   {
     Eigen::VectorXd result = guess;
