@@ -135,7 +135,8 @@ public:
   /// \name Detection
   /// @{
 
-  /// returns the median distance of a point to its nearest neighbor.
+  /// returns the median distance of a point to its nearest neighbor, in units of the input; of points at random, on scan
+  /// lines or in several scans the one of an even sampling of as many points.
   FT spacing() const { return static_cast<FT>(m_session->spacing()); }
 
   /*!

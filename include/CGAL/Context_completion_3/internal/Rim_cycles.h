@@ -109,8 +109,6 @@ private:
   Vector position(std::size_t p) const { return m_model.position(m_loop.points[p].index); }
   const Vector& normal(std::size_t p) const { return m_model.normal(m_loop.points[p].index); }
 
-  struct Oriented_place { Vector position, normal; };
-
   // with the empty place on the left
   Vector direction(std::size_t p) const { return m_loop.points[p].outward.cross(normal(p)); }
 
@@ -194,11 +192,13 @@ private:
         result.leaning += 1 / double(members.size());
     }
     result.rim.measure(m_model.points());
-    std::vector<Oriented_place> exact, smooth;
+    std::vector<Surface_element> exact, smooth;
     for(std::size_t p : way)
     {
-      exact.push_back({position(p), normal(p)});
-      smooth.push_back(mean_place(p, 0.15 * result.rim.diameter));
+      exact.emplace_back();
+      exact.back().position = position(p);
+      exact.back().normal = normal(p);
+      smooth.push_back(mean_element(p, 0.15 * result.rim.diameter));
     }
     result.turns = turns(way, exact);
     result.smooth_turns = turns(way, smooth);
@@ -206,11 +206,11 @@ private:
   }
 
   // of the surface around a point
-  Oriented_place mean_place(std::size_t p, double radius) const
+  Surface_element mean_element(std::size_t p, double radius) const
   {
     std::vector<std::size_t> ball;
     m_model.search().in_ball(position(p), radius, ball);
-    Oriented_place sum = { Vector::Zero(), Vector::Zero() };
+    Surface_element sum;
     std::size_t number = 0;
     for(std::size_t i : ball)
       if(is_same_side(normal(p), m_model.normal(i)))
@@ -219,11 +219,14 @@ private:
         sum.normal += m_model.normal(i);
         ++number;
       }
-    return { Vector(sum.position / double(number)), Vector(sum.normal.normalized()) };   // the point itself is one of them
+    sum.position /= double(number);   // the point itself is one of them
+    sum.normal.normalize();
+    return sum;
   }
 
+  // From the direction at each point to the step, and from this to the direction at the next one: neither is a right angle.
   // \param places parallel to the way
-  double turns(const std::vector<std::size_t>& way, const std::vector<Oriented_place>& places) const
+  double turns(const std::vector<std::size_t>& way, const std::vector<Surface_element>& places) const
   {
     double sum = 0;
     for(std::size_t k = 0; k < way.size(); ++k)
@@ -231,16 +234,10 @@ private:
       const std::size_t next = (k + 1) % way.size();
       const Vector before = m_loop.points[way[k]].outward.cross(places[k].normal);
       const Vector after = m_loop.points[way[next]].outward.cross(places[next].normal);
-      sum += turn(before, places[next].position - places[k].position, after, places[k].normal, places[next].normal);
+      const Vector step = places[next].position - places[k].position;
+      sum += angle(before, step, places[k].normal) + angle(step, after, places[next].normal);
     }
     return sum / (2 * 3.14159265358979323846);
-  }
-
-  // From the direction before a step to this, and from this to the direction after it: neither is a right angle.
-  static double turn(const Vector& before, const Vector& step, const Vector& after, const Vector& normal_before,
-                     const Vector& normal_after)
-  {
-    return angle(before, step, normal_before) + angle(step, after, normal_after);
   }
 
   // in the tangent plane, positive to the left
