@@ -63,7 +63,7 @@ bool is_faced(const Smooth_patch<ConcurrencyTag>& patch, double least)
 /*!
   Whether the points thin out, and what the base finds uncovered is near points that are much farther from each other
   than those of the rim, as on the flat parts of an adaptive mesh. The spacing of a point is a median around it: stray
-  points in a hole have that of its rim.
+  points in a hole have that of its rim, and the few of a small island seem far apart but for the nearest of each.
 */
 template <typename ConcurrencyTag>
 bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
@@ -72,6 +72,13 @@ bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
   const Surface_model<ConcurrencyTag>& model = patch.surroundings()->model();
   std::size_t bare = 0, uncovered = 0;
   std::vector<Neighbor_search::Neighbor> found;
+  std::vector<std::size_t> ball;
+  const auto is_lone = [&](std::size_t i)
+  {
+    model.search().in_ball(model.position(i), sparse, ball);
+    return std::count_if(ball.begin(), ball.end(), [&](std::size_t j)
+      { return j != i && is_same_side(model.normal(i), model.normal(j)); }) < 2;
+  };
   for(const Base_sample& s : patch.samples())
   {
     if(!s.is_uncovered)
@@ -81,7 +88,8 @@ bool is_sparse(const Smooth_patch<ConcurrencyTag>& patch)
     bare += std::none_of(found.begin(), found.end(), [&](const Neighbor_search::Neighbor& n)
     {
       const double spacing = model.spacing(n.first);
-      return spacing > sparse && n.second < near * spacing && is_same_side(s.normal, model.normal(n.first));
+      return spacing > sparse && n.second < near * spacing && is_same_side(s.normal, model.normal(n.first)) &&
+             is_lone(n.first);
     });
   }
   return 2 * bare < uncovered;

@@ -17,6 +17,7 @@
 #include <CGAL/Context_completion_3/internal/Base_evidence.h>
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
+#include <CGAL/Context_completion_3/internal/Island_search.h>
 #include <CGAL/Context_completion_3/internal/Named_holes.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Second_look.h>
@@ -100,7 +101,10 @@ public:
       else if(loop.points.size() >= fewest_border_points())
       {
         Hole border;
+        const std::size_t before = holes.size();
         border.loops.push_back(second_look.split_off_holes(loop, holes));
+        for(std::size_t h = before; h < holes.size(); ++h)
+          grouping.use_points(holes[h].patch->rim());
         border.is_outer_border = true;
         if(border.loops[0].points.size() == loop.points.size())
           border.patch = cap(loops, grouping, left[k]);
@@ -123,8 +127,10 @@ private:
     grouping.use(group);
     if(!is_evident(*patch) || is_sparse(*patch))
       return;
+    const auto whole = with_islands(patch);
+    grouping.use_points(whole->rim());
     // the end of a thin limb is a small share, too, and no fragment
-    holes.push_back(hole_of(patch, grouping.is_one_rim(group) ? largest_fragment() : largest_fragment() / 2));
+    holes.push_back(hole_of(whole, grouping.is_one_rim(group) ? largest_fragment() : largest_fragment() / 2));
   }
 
   static double least_opening() { return Grouping::least_opening(); }

@@ -17,6 +17,7 @@
 #include <CGAL/Context_completion_3/internal/Base_evidence.h>
 #include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
+#include <CGAL/Context_completion_3/internal/Island_search.h>
 #include <CGAL/Context_completion_3/internal/Message.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
@@ -120,9 +121,12 @@ public:
       hole.patch = base_of_rim(hole.loops);
       if(!hole.patch)
         continue;
+      hole.patch = with_islands(hole.patch);
+      hole.loops = hole.patch->loops();
       hole.stiff = without_bulge(*hole.patch, 0.);
+      const std::set<std::size_t> all_points(hole.patch->rim().begin(), hole.patch->rim().end());
       holes.erase(std::remove_if(holes.begin(), holes.end(), [&](const Hole& other) {
-        return is_mostly_of(other, points) || (!other.is_outer_border && holds(other)); }), holes.end());
+        return is_mostly_of(other, all_points) || (!other.is_outer_border && holds(other)); }), holes.end());
       holes.push_back(hole);
     }
   }

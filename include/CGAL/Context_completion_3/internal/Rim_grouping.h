@@ -58,6 +58,14 @@ public:
       m_is_used[l] = 1;
   }
 
+  /// The same for the loops that some points belong to.
+  void use_points(const std::vector<std::size_t>& points)
+  {
+    for(std::size_t i : points)
+      if(m_loop_of_point[i] != no_index)
+        m_is_used[m_loop_of_point[i]] = 1;
+  }
+
   /// Mean cosine, of directions or of normals; a hole in a sphere reaches it when it takes off nearly half of it.
   static double least_opening() { return 0.25; }
 

@@ -47,8 +47,10 @@ class Rim_surroundings
 
 public:
   /// \param edge points of the other side, of an acute edge at which the hole ends
+  /// \param islands rims within the hole, whose few points tell little of spacing or size
   Rim_surroundings(const Model& model, const std::vector<Rim_loop>& loops,
-                   const std::vector<Rim_point>& edge = std::vector<Rim_point>())
+                   const std::vector<Rim_point>& edge = std::vector<Rim_point>(),
+                   const std::vector<Rim_loop>& islands = std::vector<Rim_loop>())
     : m_model(model), m_loops(loops), m_edge(edge)
   {
     std::vector<double> spacings, area_spacings;
@@ -67,6 +69,12 @@ public:
     m_diameter = diameter;
     m_spacing = median(spacings);
     m_area_spacing = median(area_spacings);
+    for(const Rim_loop& island : islands)
+    {
+      m_loops.push_back(island);
+      for(const Rim_point& p : island.points)
+        m_rim.push_back(p.index);
+    }
     m_band = surface_band(model, m_rim, band_width());
     measure_behind();
     choose_fit_radius();
@@ -74,6 +82,8 @@ public:
   }
 
   const Model& model() const { return m_model; }
+
+  /// Those of islands come last.
   const std::vector<Rim_loop>& loops() const { return m_loops; }
 
   /// As given.

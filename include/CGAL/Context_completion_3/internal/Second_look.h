@@ -17,6 +17,7 @@
 #include <CGAL/Context_completion_3/internal/Base_edge.h>
 #include <CGAL/Context_completion_3/internal/Base_evidence.h>
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
+#include <CGAL/Context_completion_3/internal/Island_search.h>
 #include <CGAL/Context_completion_3/internal/Rim_cycles.h>
 #include <CGAL/Context_completion_3/internal/Rim_grouping.h>
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
@@ -138,7 +139,7 @@ public:
         const auto patch = base(surroundings, is_stiff);
         if(!is_beyond_doubt(*patch))
           continue;
-        holes.push_back(hole_of(patch, largest_fragment()));
+        holes.push_back(hole_of(with_islands(patch), largest_fragment()));
         rest = without(rest, cycle.rim);
         break;
       }
