@@ -281,6 +281,49 @@ TEST(Hole_refinement, A_piece_is_tried_again_when_its_surroundings_have_been_fil
   EXPECT_EQ(refinement.relief().copies.size(), 2u);
 }
 
+TEST(Hole_refinement, A_piece_does_not_flatten_what_a_believed_copy_of_the_whole_has)
+{
+  const Scene scene = plane_scene();
+  const Place_search<Tag> search(scene.sources, Search_settings());
+  const double h = scene.patch->spacing();
+  // all places around are flat, and pieces at the rim cannot know of a step inside
+  for(double step : { 0.5, 3. })
+    for(bool is_whole : { false, true })
+    {
+      Hole_relief relief = flat_relief(scene);
+      relief.errors *= 0.3;
+      for(std::size_t s = 0; s < scene.patch->samples().size(); ++s)
+        if((scene.patch->samples()[s].position - Vector(30, 25, 0)).norm() < 9)
+          relief.heights[Eigen::Index(s)] = step * h;
+      relief.copies.emplace_back();
+      relief.copies.back().displacement = Eigen::VectorXd::Zero(relief.heights.size());
+      relief.copies.back().is_whole = is_whole;
+      relief.copies.back().tolerance = h;
+      relief.copy.assign(relief.copy.size(), 0);
+      Hole_refinement<Tag> refinement(scene.model(), search, scene.patch, scene.sampler, {}, relief, Ingredients());
+      refinement.begin_level(1);
+      std::size_t tried = 0, found = 0;
+      for(const Hole_piece& piece : refinement.pieces())
+      {
+        double change = 0, total = 0;
+        for(std::size_t i = 0; i < piece.samples.size(); ++i)
+        {
+          change += piece.weights[i] * relief.heights[Eigen::Index(piece.samples[i])] / h;
+          total += piece.weights[i];
+        }
+        if(!refinement.is_open(piece) || change < 0.4 * step * total)
+          continue;
+        ++tried;
+        found += refinement.find(piece).is_found;
+      }
+      EXPECT_GT(tried, 3u);
+      if(is_whole && step == 3)
+        EXPECT_EQ(found, 0u);
+      else
+        EXPECT_GT(2 * found, tried) << step << ' ' << is_whole;
+    }
+}
+
 TEST(Relief_sampler, A_window_shows_what_the_whole_relief_has_there)
 {
   const Scene scene(samples::four_patterns_with_hole());

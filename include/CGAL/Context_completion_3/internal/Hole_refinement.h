@@ -83,7 +83,8 @@ public:
                   const std::shared_ptr<const Relief_sampler<ConcurrencyTag> >& sampler,
                   const std::vector<Place>& places, const Hole_relief& relief, const Ingredients& ingredients)
     : m_known(known), m_search(search), m_patch(patch), m_sampler(sampler), m_ingredients(ingredients),
-      m_relief(relief), m_first(relief.heights), m_settled_by(patch->samples().size(), no_index),
+      m_relief(relief), m_first(relief.heights),
+      m_is_copy(!relief.copies.empty() && relief.copies.front().is_whole), m_settled_by(patch->samples().size(), no_index),
       m_pieces_of(*patch, sampler->search())
   {
     if(ingredients.coherence)
@@ -173,7 +174,8 @@ public:
     for(std::size_t s : match.controls.settled)
       drift += m_relief.errors[Eigen::Index(s)];
     match.chosen.error += drift / double(match.controls.settled.size() + match.controls.rim.size());
-    match.is_found = match.chosen.plan.places > 0 && match.chosen.error < margin() * error(piece);
+    match.is_found = match.chosen.plan.places > 0 && match.chosen.error < margin() * error(piece) &&
+                     !(m_is_copy && contradicts(piece, match.forecast->copy(match.chosen.plan.places)));
     return match;
   }
 
@@ -205,14 +207,7 @@ public:
   bool insert(const Hole_piece& piece, const Piece_filling& filling)
   {
     // where the piece says what is there already, it is confirmed: another patch would but add a seam
-    double change = 0, total = 0;
-    for(std::size_t i = 0; i < piece.samples.size(); ++i)
-    {
-      const double old = m_relief.heights[Eigen::Index(piece.samples[i])];
-      change += piece.weights[i] * std::abs(filling.heights[Eigen::Index(i)] - old);
-      total += piece.weights[i];
-    }
-    const bool is_replaced = change >= 0.05 * m_patch->spacing() * total;
+    const bool is_replaced = change(piece, filling.heights) >= 0.05 * m_patch->spacing();
     m_tried_at[piece.number] = ++m_time;   // what it settles itself is no news to it
     for(std::size_t i = 0; i < piece.samples.size(); ++i)
     {
@@ -247,6 +242,26 @@ public:
 private:
   // Forecasts of pieces, which know but a part of their rim, were seen up to two and a half times too low.
   static double margin() { return 0.4; }
+
+  // A copy over the whole hole was believed, which knew all of the rim. A piece that changes it by much more than is
+  // expected to be missed there flattens a feature of which its own surroundings show nothing.
+  bool contradicts(const Hole_piece& piece, const Eigen::VectorXd& heights) const
+  {
+    return change(piece, heights) > 3 * error(piece);
+  }
+
+  // Mean distance of heights, parallel to the samples of a piece, from what is there.
+  double change(const Hole_piece& piece, const Eigen::VectorXd& heights) const
+  {
+    double sum = 0, total = 0;
+    for(std::size_t i = 0; i < piece.samples.size(); ++i)
+    {
+      const double old = m_relief.heights[Eigen::Index(piece.samples[i])];
+      sum += piece.weights[i] * std::abs(heights[Eigen::Index(i)] - old);
+      total += piece.weights[i];
+    }
+    return sum / total;
+  }
 
   static double radius(const Patch& patch, std::size_t level)
   {
@@ -333,6 +348,7 @@ private:
   std::vector<Place> m_hints;            // places of the whole hole, and those of the pieces
   Hole_relief m_relief;
   Eigen::VectorXd m_first;               // heights that the first level left
+  bool m_is_copy;                        // whether that is one copy of a whole place
   std::vector<std::size_t> m_settled_by; // per sample: the piece that filled it on this level, or `no_index`
   std::vector<std::size_t> m_settled_at; // per sample: the insertion that did
   std::vector<std::size_t> m_tried_at;   // per piece: insertions before its last search, or `no_index`
