@@ -663,6 +663,26 @@ TEST(Copy_forecast, A_hill_that_a_few_places_of_the_same_rim_have_is_not_copied)
   EXPECT_LT(planned_height_on_plane(2), 0.6);
 }
 
+TEST(Copy_forecast, A_copy_must_promise_the_more_the_less_it_is_believed)
+{
+  Plan_forecast copy;
+  copy.plan = Filling_plan(1, 1);
+  double last = copy.margin();
+  EXPECT_LT(last, 1);
+  EXPECT_GT(last, 0.9);
+  for(double share : { 0.95, 0.9, 0.85 })
+  {
+    copy.plan.share = share;
+    EXPECT_LT(copy.margin(), last);
+    last = copy.margin();
+  }
+  for(double share : { 0.8, 0.4, 0.2 })
+  {
+    copy.plan.share = share;
+    EXPECT_EQ(copy.margin(), 0.75);
+  }
+}
+
 TEST(Copy_forecast, A_place_without_a_wall_of_the_rim_does_not_match)
 {
   typedef CGAL::Sequential_tag Tag;

@@ -43,6 +43,10 @@ struct Plan_forecast
 
   /// How far a copy is to be believed beyond doubt: not at all below a share of four fifths, 1 for a whole copy.
   double belief() const { return plan.places > 0 && plan.share > 0.8 ? 5 * (plan.share - 0.8) : 0.; }
+
+  /// By this factor a copy must promise to be better than the smooth continuation, which is never absurd. How much to take
+  /// of a copy that is not believed is fitted to the fake holes, which promise too much then.
+  double margin() const { return 0.75 + 0.17 * belief(); }
 };
 
 /// How much of a copy is believed: 1 / (1 + (mismatch / scale)^3).

@@ -308,8 +308,8 @@ private:
     if(!m_ingredients.copies)
       return;
     for(const Plan_forecast& f : forecasts)
-      if(f.error < (match.chosen.plan.places > 0 ? match.chosen.error
-                                                 : copy_margin() * match.chosen.error - rounding() * spacing))
+      if(f.plan.places > 0 && f.error < f.margin() * match.smooth.error - rounding() * spacing &&
+         (match.chosen.plan.places == 0 || f.error < match.chosen.error))
         match.chosen = f;
   }
 
@@ -324,15 +324,15 @@ private:
       return;
     const Learned_relief learned =
       Learned_continuation<ConcurrencyTag>(m_known, *m_sources.front().model, patch, radius, poll).result();
-    if(learned.places == 0 || !(learned.error < copy_margin() * error))
+    if(learned.places == 0 || !(learned.error < learned_margin() * error))
       return;
     forecast.learn(learned);
     match.teachers = learned.places;
     choose(forecast, patch.spacing(), match);
   }
 
-  // A copy must promise to be better by this factor, because a smooth patch is never absurd.
-  static double copy_margin() { return 0.92; }
+  // As for copies: a smooth patch is never absurd.
+  static double learned_margin() { return 0.92; }
 
   // In spacings: on a plane both are exact, and the last bits must not decide.
   static double rounding() { return 1e-6; }
