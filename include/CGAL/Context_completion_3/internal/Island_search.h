@@ -15,9 +15,11 @@
 #include <CGAL/license/Context_completion_3.h>
 
 #include <CGAL/Context_completion_3/internal/Base_evidence.h>
+#include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
+#include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,15 +46,12 @@ class Island_search
 public:
   /// \param patch a closed base over the hole, not copied
   explicit Island_search(const Patch& patch)
-    : m_patch(patch), m_model(patch.surroundings()->model()), m_uncovered(patch.surroundings()->gap_spacing()),
-      m_link(1.8 * patch.area_spacing() * m_model.irregularity())
+    : m_patch(patch), m_model(patch.surroundings()->model()), m_link(1.8 * patch.area_spacing() * m_model.irregularity())
   {
     for(const Base_sample& s : patch.samples())
       if(s.is_uncovered)
-      {
-        m_uncovered.insert(s.position);
-        m_uncovered_normals.push_back(s.normal);
-      }
+        m_uncovered.push_back(s.position, s.normal);
+    m_search = std::make_unique<const Neighbor_search>(m_uncovered.position);
     for(const Band_point& b : patch.band())
       m_part_of.emplace(b.index, mainland());
   }
@@ -61,6 +60,8 @@ public:
   std::vector<Rim_loop> rims()
   {
     std::vector<Rim_loop> result;
+    if(m_uncovered.size() == 0)
+      return result;
     std::vector<std::size_t> ball;
     m_model.search().in_ball(m_patch.loops().front().center, m_patch.diameter(), ball);
     for(std::size_t i : ball)
@@ -96,8 +97,10 @@ private:
   {
     const Vector p = m_model.position(i);
     Vector foot = p, normal;
-    if(!m_patch.project(foot, normal) || !is_same_side(normal, m_model.normal(i)) ||
-       !has_point_on_side(m_uncovered, m_uncovered_normals, foot, normal, m_patch.surroundings()->gap_spacing()))
+    // of a thin part the far side is told without a projection
+    if(!is_same_side(m_uncovered.normal[m_search->nearest(p).first], m_model.normal(i)) || !m_patch.project(foot, normal) ||
+       !is_same_side(normal, m_model.normal(i)) ||
+       m_search->nearest(foot).second > m_patch.surroundings()->gap_spacing())
       return false;
     double to_rim = std::numeric_limits<double>::infinity();
     for(std::size_t r : m_patch.rim())
@@ -175,8 +178,8 @@ private:
 
   const Patch& m_patch;
   const Model& m_model;
-  Point_grid m_uncovered;
-  std::vector<Vector> m_uncovered_normals;
+  Surface_points m_uncovered;
+  std::unique_ptr<const Neighbor_search> m_search;      // for these samples
   double m_link;
   std::unordered_map<std::size_t, std::size_t> m_part_of;
   std::size_t m_number_of_parts = 0;
