@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -46,7 +47,7 @@ struct Plan_forecast
 
   /// By this factor a copy must promise to be better than the smooth continuation, which is never absurd. How much to take
   /// of a copy that is not believed is fitted to the fake holes, which promise too much then.
-  double margin() const { return 0.75 + 0.17 * belief(); }
+  double margin() const { return 0.75 + 0.17 * (std::min)(1., 2 * belief()); }
 };
 
 /// How much of a copy is believed: 1 / (1 + (mismatch / scale)^3).
