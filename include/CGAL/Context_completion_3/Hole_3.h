@@ -62,7 +62,7 @@ struct Hole_3
   FT diameter = FT(0);                            ///< largest distance of two rim points
   FT spacing = FT(0);                             ///< distance of neighboring points in the surroundings
   Hole_state state = Hole_state::hole;            ///< whether it is to be filled, and if not, why
-  std::vector<std::vector<std::size_t> > loops;   ///< indices of the rim points, one list for each rim
+  std::vector<std::vector<std::size_t> > loops;   ///< indices of the rim points, one list for each rim, those of islands last
   std::vector<Bbox_3> cells;                      ///< the under-sampled cells of the tree that make up the place
 
   /// returns whether the place is filled unless the user chooses otherwise.
