@@ -45,9 +45,12 @@ struct Plan_forecast
   /// How far a copy is to be believed beyond doubt: not at all below a share of four fifths, 1 for a whole copy.
   double belief() const { return plan.places > 0 && plan.share > 0.8 ? 5 * (plan.share - 0.8) : 0.; }
 
-  /// By this factor a copy must promise to be better than the smooth continuation, which is never absurd. How much to take
-  /// of a copy that is not believed is fitted to the fake holes, which promise too much then.
-  double margin() const { return 0.75 + 0.17 * (std::min)(1., 2 * belief()); }
+  /// By this factor anything else must promise to be better than the smooth continuation, which is never absurd.
+  static constexpr double least_margin() { return 0.92; }
+
+  /// The same for a copy: how much to take of one that is not believed is fitted to the fake holes, which promise too much
+  /// then.
+  double margin() const { return 0.75 + (least_margin() - 0.75) * (std::min)(1., 2 * belief()); }
 };
 
 /// How much of a copy is believed: 1 / (1 + (mismatch / scale)^3).

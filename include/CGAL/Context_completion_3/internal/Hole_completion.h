@@ -324,15 +324,12 @@ private:
       return;
     const Learned_relief learned =
       Learned_continuation<ConcurrencyTag>(m_known, *m_sources.front().model, patch, radius, poll).result();
-    if(learned.places == 0 || !(learned.error < learned_margin() * error))
+    if(learned.places == 0 || !(learned.error < Plan_forecast::least_margin() * error))
       return;
     forecast.learn(learned);
     match.teachers = learned.places;
     choose(forecast, patch.spacing(), match);
   }
-
-  // As for copies: a smooth patch is never absurd.
-  static double learned_margin() { return 0.92; }
 
   // In spacings: on a plane both are exact, and the last bits must not decide.
   static double rounding() { return 1e-6; }

@@ -103,7 +103,7 @@ public:
         Hole border;
         const std::size_t before = holes.size();
         border.loops.push_back(second_look.split_off_holes(loop, holes));
-        for(std::size_t h = before; h < holes.size(); ++h)
+        for(std::size_t h = before; h < holes.size(); ++h)   // they may have islands
           grouping.use_points(holes[h].patch->rim());
         border.is_outer_border = true;
         if(border.loops[0].points.size() == loop.points.size())

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Angular_gap.h>
 #include <CGAL/Context_completion_3/internal/Base_evidence.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
@@ -46,7 +47,7 @@ class Island_search
 public:
   /// \param patch a closed base over the hole, not copied
   explicit Island_search(const Patch& patch)
-    : m_patch(patch), m_model(patch.surroundings()->model()), m_link(1.8 * patch.area_spacing() * m_model.irregularity())
+    : m_patch(patch), m_model(patch.surroundings()->model()), m_link(Model::link() * patch.area_spacing() * m_model.irregularity())
   {
     for(const Base_sample& s : patch.samples())
       if(s.is_uncovered)
@@ -90,9 +91,6 @@ private:
   // Height over the base by distance to the rim: the surface may rise so steeply over what is known of it.
   static double steepest() { return 0.75; }
 
-  // 110 degrees, as of rims in general
-  static double free_angle() { return 110. / 180. * 3.14159265358979323846; }
-
   bool is_over_hole(std::size_t i) const
   {
     const Vector p = m_model.position(i);
@@ -117,11 +115,9 @@ private:
     bool is_island = true;
     for(std::size_t k = 0; k < part.size(); ++k)
     {
-      m_model.search().in_ball(m_model.position(part[k]), m_link, near);
+      m_model.linked_points(part[k], m_link, near);
       for(std::size_t j : near)
       {
-        if(!is_same_side(m_model.normal(part[k]), m_model.normal(j)))
-          continue;
         const auto added = m_part_of.emplace(j, number);
         if(added.second && part.size() <= most)
           part.push_back(j);
@@ -163,24 +159,16 @@ private:
     }
     if(angles.empty())
       return false;
-    std::sort(angles.begin(), angles.end());
-    const double turn = 2 * 3.14159265358979323846;
-    double gap = angles.front() + turn - angles.back(), middle = angles.back() + gap / 2;
-    for(std::size_t k = 1; k < angles.size(); ++k)
-      if(angles[k] - angles[k - 1] > gap)
-      {
-        gap = angles[k] - angles[k - 1];
-        middle = angles[k - 1] + gap / 2;
-      }
-    direction = std::cos(middle) * u + std::sin(middle) * v;
-    return gap >= free_angle();
+    const Angular_gap gap(angles);
+    direction = std::cos(gap.middle) * u + std::sin(gap.middle) * v;
+    return gap.is_open();
   }
 
   const Patch& m_patch;
   const Model& m_model;
   Surface_points m_uncovered;
   std::unique_ptr<const Neighbor_search> m_search;      // for these samples
-  double m_link;
+  double m_link;                                        // as points of the rim are linked: a small island seems sparse
   std::unordered_map<std::size_t, std::size_t> m_part_of;
   std::size_t m_number_of_parts = 0;
 };

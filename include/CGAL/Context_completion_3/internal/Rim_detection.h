@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Angular_gap.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
 #include <Eigen/Eigenvalues>
@@ -124,7 +125,6 @@ private:
   static constexpr double probe_room() { return 1.1; }
   static constexpr double link() { return 2.7; }
   static constexpr double fold_distance() { return 1.2; }
-  static constexpr double largest_angle() { return 110. / 180. * 3.14159265358979323846; }
 
   Vector free_direction(std::size_t i) const
   {
@@ -165,18 +165,10 @@ private:
     }
     if(angles.size() < 3)
       return Vector::Zero();
-    std::sort(angles.begin(), angles.end());
-    const double turn = 2 * 3.14159265358979323846;
-    double gap = angles.front() + turn - angles.back(), middle = angles.back() + gap / 2;
-    for(std::size_t k = 1; k < angles.size(); ++k)
-      if(angles[k] - angles[k - 1] > gap)
-      {
-        gap = angles[k] - angles[k - 1];
-        middle = angles[k - 1] + gap / 2;
-      }
-    if(gap < largest_angle())
+    const Angular_gap gap(angles);
+    if(!gap.is_open())
       return Vector::Zero();
-    const Vector direction = std::cos(middle) * u + std::sin(middle) * v;
+    const Vector direction = std::cos(gap.middle) * u + std::sin(gap.middle) * v;
     // The surface goes on around an acute edge. Where the other side goes on below the empty place, it is a thin plate
     // with a hole in this side.
     const auto is_ahead = [&](const Vector& q)

@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
+#include <CGAL/Context_completion_3/internal/Angular_gap.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Neighbor_search.h>
@@ -263,12 +264,7 @@ private:
       const Vector d = m_model.position(p.index) - loop.center;
       angles.push_back(std::atan2(d.dot(v), d.dot(u)));
     }
-    std::sort(angles.begin(), angles.end());
-    const double pi = 3.14159265358979323846;
-    double gap = angles.front() + 2 * pi - angles.back();
-    for(std::size_t k = 1; k < angles.size(); ++k)
-      gap = (std::max)(gap, angles[k] - angles[k - 1]);
-    return gap < 0.5 * pi;
+    return Angular_gap(angles).width < 0.5 * 3.14159265358979323846;
   }
 
   // Positive if the normals turn away from the axis, as around a limb, and against its direction, as where a limb rises.

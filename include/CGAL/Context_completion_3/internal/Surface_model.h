@@ -80,11 +80,20 @@ public:
   /// How many times as wide as in an even sampling of as many points the gaps between points are, from 1 to 3.
   double irregularity() const { return m_irregularity; }
 
-  /// Points that the surface goes on to from point `i`, itself included: those within 1.8 area spacings on the same
-  /// side, so that paths over them do not reach the far side of a thin part. By increasing index.
+  /// Distance, in area spacings, over which the surface goes on from a point.
+  static constexpr double link() { return 1.8; }
+
+  /// Points that the surface goes on to from point `i`, itself included: those within a link on the same side, so that
+  /// paths over them do not reach the far side of a thin part. By increasing index.
   void linked_points(std::size_t i, std::vector<std::size_t>& found) const
   {
-    m_search.in_ball(m_points.position[i], 1.8 * m_area_spacing[i], found);
+    linked_points(i, link() * m_area_spacing[i], found);
+  }
+
+  /// The same with links of another length.
+  void linked_points(std::size_t i, double length, std::vector<std::size_t>& found) const
+  {
+    m_search.in_ball(m_points.position[i], length, found);
     found.erase(std::remove_if(found.begin(), found.end(), [&](std::size_t j)
       { return !is_same_side(m_points.normal[i], m_points.normal[j]); }), found.end());
   }
