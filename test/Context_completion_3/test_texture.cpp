@@ -216,6 +216,7 @@ double highest_carried(bool is_whole)
   planned.copies[0].place.motion.translation = Vector(-25, 0, 0);
   planned.copies[0].place.origin = Vector(41, 24, 0);
   planned.copies[0].displacement = Eigen::VectorXd::Zero(number);
+  planned.copies[0].surface = Eigen::VectorXd::Zero(number);
   planned.copies[0].is_whole = is_whole;
   planned.copies[0].tolerance = is_whole ? sampler.height_limit() : 1.5 * patch->spacing();
   double highest = -1;

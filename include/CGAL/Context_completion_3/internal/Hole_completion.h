@@ -128,31 +128,32 @@ public:
     }
     if(match.places.empty())
       return result;
-    const Place* place = nullptr;
+    std::size_t source = no_index;
     Eigen::VectorXd displacement;
     const std::size_t first = match.forecast->ranking().front();
     if(is_whole)
     {
       // The whole relief of the best place, which is fitted to the rim and keeps all else. The mean over places, which the
       // plan may be, tells what to expect; at a wall, a little beside each other, they have heights between top and foot.
-      place = &match.places[first];
+      source = first;
       displacement = match.forecast->fitting();
     }
     else
     {
       if(chosen.plan.places > 0)
       {
-        place = &match.places[first];
+        source = first;
         displacement = result.heights - match.reliefs[first].height;
       }
       if(m_keep_texture && m_ingredients.copies)
-        add_texture(patch, match, result.heights, place, displacement);
+        add_texture(patch, match, result.heights, source, displacement);
     }
-    if(place == nullptr)
+    if(source == no_index)
       return result;
     result.copies.emplace_back();
-    result.copies.back().place = *place;
+    result.copies.back().place = match.places[source];
     result.copies.back().displacement = displacement;
+    result.copies.back().set_surface(match.reliefs[source], result.heights);
     // a part of a copy, or a texture, has no reason to leave the plan
     result.copies.back().is_whole = is_whole;
     result.copies.back().tolerance = is_whole ? match.sampler->height_limit() : 1.5 * patch.spacing();
@@ -335,13 +336,13 @@ private:
   static double rounding() { return 1e-6; }
 
   // Lets carried points keep a texture. With nothing else to copy, it may be that of a place that matches less well.
-  void add_texture(const Patch& patch, const Match& match, const Eigen::VectorXd& heights, const Place*& place,
+  void add_texture(const Patch& patch, const Match& match, const Eigen::VectorXd& heights, std::size_t& place,
                    Eigen::VectorXd& displacement) const
   {
     const std::size_t most = 8;
     const std::vector<std::size_t>& ranking = match.forecast->ranking();
     const Missing_texture<ConcurrencyTag> missing(m_known, patch, *match.sampler, *match.forecast, match.chosen.plan);
-    for(std::size_t r = 0; missing.is_known() && r < ranking.size() && r < (place != nullptr ? 1 : most); ++r)
+    for(std::size_t r = 0; missing.is_known() && r < ranking.size() && r < (place != no_index ? 1 : most); ++r)
     {
       const Place_relief& relief = match.reliefs[ranking[r]];
       if(relief.coverage < 0.9)
@@ -350,7 +351,7 @@ private:
         missing.of(heights, relief.height, match.chosen.error);
       if(!missing.is_fitting(texture))
         continue;
-      place = &match.places[ranking[r]];
+      place = ranking[r];
       displacement = heights - relief.height - texture.field;
       return;
     }

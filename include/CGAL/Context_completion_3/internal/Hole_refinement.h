@@ -191,13 +191,16 @@ public:
     // the whole relief of one place is fitted to what is known and keeps all else
     const bool is_whole = match.chosen.plan.places == 1;
     const Eigen::VectorXd fitting = match.forecast->fitting(best);
+    Eigen::VectorXd planned = m_relief.heights;
     for(std::size_t i = 0; i < piece.samples.size(); ++i)
     {
       const Eigen::Index p = Eigen::Index(i), s = Eigen::Index(piece.samples[i]);
       const double displacement = is_whole ? fitting[p] : result.heights[p] - match.reliefs[best].height[s];
       const double blend = (1 - piece.weights[i]) * (m_relief.heights[s] - result.heights[p]);
       result.carried.displacement[s] = displacement + blend;
+      planned[s] = result.heights[p] + blend;
     }
+    result.carried.set_surface(match.reliefs[best], planned);
     result.carried.is_whole = is_whole;
     result.carried.tolerance = is_whole ? m_sampler->height_limit() : 1.5 * m_patch->spacing();
     return result;
@@ -224,7 +227,10 @@ public:
       const double step = w * (filling.heights[Eigen::Index(i)] - m_relief.heights[s]);
       m_relief.heights[s] += step;
       for(Carried_place& other : m_relief.copies) // where it keeps its points, they follow
+      {
         other.displacement[s] += step;
+        other.surface[s] += step;
+      }
       if(w > 0.5)
         m_relief.copy[std::size_t(s)] = m_relief.copies.size();
     }

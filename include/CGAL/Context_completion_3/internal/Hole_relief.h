@@ -16,6 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
 #include <CGAL/Context_completion_3/internal/Place.h>
+#include <CGAL/Context_completion_3/internal/Place_relief.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
 #include <Eigen/Core>
@@ -31,9 +32,19 @@ namespace internal {
 struct Carried_place
 {
   Place place;
+  Eigen::VectorXd surface;               ///< per sample of the base: height that the place has there once it is displaced
   Eigen::VectorXd displacement;          ///< per sample of the base
   double tolerance = 0;                  ///< points that come to lie farther from the planned heights are left out
   bool is_whole = false;                 ///< may overhang the base; otherwise what stands out of the rest is left out
+
+  /// Sets `surface`: where the place itself has a gap, the planned heights.
+  void set_surface(const Place_relief& relief, const Eigen::VectorXd& planned)
+  {
+    surface = relief.height + displacement;
+    for(Eigen::Index s = 0; s < surface.size(); ++s)
+      if(!relief.is_covered[std::size_t(s)])
+        surface[s] = planned[s];
+  }
 };
 
 /// The planned surface of a hole: heights over its base, and whose points are carried there.

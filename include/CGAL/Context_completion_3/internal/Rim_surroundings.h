@@ -107,6 +107,12 @@ public:
   /// The same a little behind the rim, where neighbours are on all sides: how densely the surroundings are sampled.
   double area_spacing_behind() const { return m_area_spacing_behind; }
 
+  /// Whether a point of the band is there.
+  bool is_behind(const Band_point& b) const
+  {
+    return b.distance > 2.5 * m_area_spacing && b.distance < 6 * m_area_spacing;
+  }
+
   double diameter() const { return m_diameter; }
 
   /// Radius of the local fits: larger where the surroundings are noisy.
@@ -126,7 +132,7 @@ private:
   {
     std::vector<double> behind;
     for(const Band_point& b : m_band)
-      if(b.distance > 2.5 * m_area_spacing && b.distance < 6 * m_area_spacing)
+      if(is_behind(b))
         behind.push_back(m_model.area_spacing(b.index));
     m_area_spacing_behind = behind.empty() ? m_area_spacing : (std::min)(m_area_spacing, median(behind));
   }

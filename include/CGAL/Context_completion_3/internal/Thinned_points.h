@@ -17,6 +17,7 @@
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -24,17 +25,19 @@ namespace CGAL {
 namespace Context_completions_3 {
 namespace internal {
 
-/// Points of a surface that are as far apart as asked for, unless they lie on different sides: the first of them, and
+/// Points of a surface that are as far apart as each asks for, unless they lie on different sides: the first of them, and
 /// each further one for which there is room. By increasing index.
-/// \param distance positive
-inline std::vector<std::size_t> thinned_points(const Surface_points& surface, double distance)
+/// \param distances positive, parallel to the points
+inline std::vector<std::size_t> thinned_points(const Surface_points& surface, const std::vector<double>& distances)
 {
   std::vector<std::size_t> kept;
-  Point_grid grid(distance);
+  if(surface.size() == 0)
+    return kept;
+  Point_grid grid(*std::max_element(distances.begin(), distances.end()));
   for(std::size_t i = 0; i < surface.size(); ++i)
   {
     bool is_free = true;
-    grid.for_each_in_ball(surface.position[i], distance, [&](std::size_t k, double) {
+    grid.for_each_in_ball(surface.position[i], distances[i], [&](std::size_t k, double) {
       is_free = !is_same_side(surface.normal[i], surface.normal[kept[k]]);
       return is_free; });
     if(!is_free)
@@ -43,6 +46,12 @@ inline std::vector<std::size_t> thinned_points(const Surface_points& surface, do
     kept.push_back(i);
   }
   return kept;
+}
+
+/// The same with one distance.
+inline std::vector<std::size_t> thinned_points(const Surface_points& surface, double distance)
+{
+  return thinned_points(surface, std::vector<double>(surface.size(), distance));
 }
 
 /// Those points with their normals.
