@@ -80,11 +80,11 @@ inline Samples plane(std::size_t rows, double spacing = 1., double jitter = 0.15
 
 /// A flat sheet [0, width]^2 whose points are `distance(x, y)` apart from those before them.
 inline Samples thinning_plane(double width, const std::function<double(double, double)>& distance,
-                              unsigned int seed = 1)
+                              unsigned int seed = 1, int darts_per_area = 12)
 {
   Random_offsets offset(seed);
   Samples samples;
-  for(int dart = 0; dart < 12 * int(width * width); ++dart)
+  for(int dart = 0; dart < darts_per_area * int(width * width); ++dart)
   {
     const double x = (1 + offset()) / 2 * width;
     const double y = (1 + offset()) / 2 * width;

@@ -16,7 +16,7 @@
 
 #include <CGAL/Context_completion_3/internal/Base_sample.h>
 #include <CGAL/Context_completion_3/internal/Engine_types.h>
-#include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Linear_systems.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
@@ -30,8 +30,8 @@ namespace Context_completions_3 {
 namespace internal {
 
 /*!
-  How densely a hole is to be sampled, at each sample of its base: the spacing of the surroundings goes on into it, as the
-  geometric mean of what is known behind the rim, with weights that fall with the fourth power of the distance.
+  How densely a hole is to be sampled, at each sample of its base: the spacing of the surroundings behind the rim goes on
+  into it, its logarithm as a linear function in space.
 */
 template <typename ConcurrencyTag>
 class Local_spacing
@@ -43,28 +43,44 @@ public:
     const Surface_model<ConcurrencyTag>& model = surroundings.model();
     // a lattice has more points than blue noise with the same distance between them
     m_per_area = (std::min)(0.92, model.spacing() / model.area_spacing());
-    const std::size_t most = 400;
     std::vector<std::size_t> behind;
     for(const Band_point& b : surroundings.band())
       if(surroundings.is_behind(b))
         behind.push_back(b.index);
-    const std::size_t step = behind.size() / most + 1;
     m_area_spacing.assign(patch.samples().size(), surroundings.area_spacing_behind());
     if(behind.empty())
       return;
-    const double softening = surroundings.area_spacing() * surroundings.area_spacing();
-    for_each_index<ConcurrencyTag>(m_area_spacing.size(), [&](std::size_t s)
+    // by area, since there are more points where they are dense
+    Vector middle = Vector::Zero();
+    double mean = 0, total = 0, least = std::log(model.area_spacing(behind[0])), most = least;
+    for(std::size_t i : behind)
     {
-      double sum = 0, total = 0;
-      for(std::size_t k = 0; k < behind.size(); k += step)
-      {
-        const double square = (patch.samples()[s].position - model.position(behind[k])).squaredNorm() + softening;
-        const double weight = 1 / (square * square);
-        sum += weight * std::log(model.area_spacing(behind[k]));
-        total += weight;
-      }
-      m_area_spacing[s] = std::exp(sum / total);
-    });
+      const double weight = model.area_spacing(i) * model.area_spacing(i), value = std::log(model.area_spacing(i));
+      middle += weight * model.position(i);
+      mean += weight * value;
+      total += weight;
+      least = (std::min)(least, value);
+      most = (std::max)(most, value);
+    }
+    middle /= total;
+    mean /= total;
+    Matrix covariance = Matrix::Zero();
+    Vector right = Vector::Zero();
+    for(std::size_t i : behind)
+    {
+      const double weight = model.area_spacing(i) * model.area_spacing(i) / total;
+      const Vector d = model.position(i) - middle;
+      covariance.noalias() += weight * d * d.transpose();
+      right += weight * (std::log(model.area_spacing(i)) - mean) * d;
+    }
+    // across a flat rim nothing is known
+    covariance.diagonal().array() += 0.02 * covariance.trace();
+    const Vector slope = solve_damped_system(covariance, right);
+    for(std::size_t s = 0; s < m_area_spacing.size(); ++s)
+    {
+      const double value = mean + slope.dot(patch.samples()[s].position - middle);
+      m_area_spacing[s] = std::exp((std::max)(least, (std::min)(most, value)));
+    }
   }
 
   /// Square root of the area per point.
