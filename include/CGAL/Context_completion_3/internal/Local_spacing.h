@@ -74,8 +74,9 @@ public:
       right += weight * (std::log(model.area_spacing(i)) - mean) * d;
     }
     // across a flat rim nothing is known
-    covariance.diagonal().array() += 0.02 * covariance.trace();
-    const Vector slope = solve_damped_system(covariance, right);
+    const double damping = 0.02 * covariance.trace();
+    covariance.diagonal().array() += damping;
+    const Vector slope = damping > 0 ? solve_damped_system(covariance, right) : Vector(Vector::Zero());
     for(std::size_t s = 0; s < m_area_spacing.size(); ++s)
     {
       const double value = mean + slope.dot(patch.samples()[s].position - middle);
