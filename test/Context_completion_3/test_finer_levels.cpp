@@ -211,7 +211,8 @@ Piece_filling raised(const Scene& scene, const Hole_piece& piece)
   Piece_filling filling;
   filling.heights = Eigen::VectorXd::Constant(Eigen::Index(piece.samples.size()), 0.5 * scene.patch->spacing());
   filling.error = scene.patch->spacing();
-  filling.carried.displacement = Eigen::VectorXd::Zero(Eigen::Index(scene.patch->samples().size()));
+  filling.carried.displacement = filling.carried.surface =
+    Eigen::VectorXd::Zero(Eigen::Index(scene.patch->samples().size()));
   return filling;
 }
 
@@ -296,7 +297,7 @@ TEST(Hole_refinement, A_piece_does_not_flatten_what_a_believed_copy_of_the_whole
         if((scene.patch->samples()[s].position - Vector(30, 25, 0)).norm() < 9)
           relief.heights[Eigen::Index(s)] = step * h;
       relief.copies.emplace_back();
-      relief.copies.back().displacement = Eigen::VectorXd::Zero(relief.heights.size());
+      relief.copies.back().displacement = relief.copies.back().surface = Eigen::VectorXd::Zero(relief.heights.size());
       relief.copies.back().is_whole = is_whole;
       relief.copies.back().tolerance = h;
       relief.copy.assign(relief.copy.size(), 0);

@@ -41,8 +41,8 @@ public:
   {
     const Rim_surroundings<ConcurrencyTag>& surroundings = *patch.surroundings();
     const Surface_model<ConcurrencyTag>& model = surroundings.model();
-    // a lattice has more points than blue noise with the same distance between them
-    m_per_area = (std::min)(0.92, model.spacing() / model.area_spacing());
+    m_per_area = model.spacing() / model.area_spacing();
+    m_is_lattice = model.area_spacing() * model.irregularity() < 1.2 * model.spacing();
     std::vector<std::size_t> behind;
     for(const Band_point& b : surroundings.band())
       if(surroundings.is_behind(b))
@@ -90,8 +90,23 @@ public:
   /// Distance that new points keep, see `Surface_model`.
   double spacing(std::size_t sample) const { return m_per_area * m_area_spacing[sample]; }
 
+  /// Distance for darts: they are about as many as wanted then, and the nearest ones about as far apart. A lattice has more
+  /// points than blue noise with the same distance between them.
+  double dart_spacing(std::size_t sample) const
+  {
+    return (std::min)(0.96 * m_per_area, 0.8) * m_area_spacing[sample];
+  }
+
+  /// Whether the surroundings are sampled nearly as evenly as can be, with one spacing: as the base is.
+  bool is_lattice() const
+  {
+    const auto range = std::minmax_element(m_area_spacing.begin(), m_area_spacing.end());
+    return m_is_lattice && *range.second < 1.2 * *range.first;
+  }
+
 private:
   double m_per_area = 1;
+  bool m_is_lattice = false;
   std::vector<double> m_area_spacing;
 };
 

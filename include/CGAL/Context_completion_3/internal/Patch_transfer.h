@@ -115,18 +115,19 @@ private:
     for(std::size_t s = 0; s < relief.is_faceted.size(); ++s)
       is_wanted[s] = !relief.is_faceted[s];
     const Eigen::VectorXd heights = own_heights(relief);
+    // the samples keep their distance from each other
+    if(relief.copies.empty() && m_spacing.is_lattice())
+      for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
+        if(is_wanted[s] && !has_foot(feet, m_patch.samples()[s].position, 0.8 * m_spacing.spacing(s)))
+          result.add(raised_point(m_patch.samples()[s].position, s, heights), room(s, 0.5, 0.7, 0.9));
     const Base_darts<ConcurrencyTag> darts(m_patch, m_sampler, is_wanted);
     for(const Base_dart& dart : darts.darts())
     {
       const std::size_t s = dart.sample, copy = relief.copy[s];
       if(!is_wanted[s] || has_foot(feet, dart.position, 0.8 * m_spacing.spacing(s)))
         continue;
-      double height; Vector gradient, direction;
-      m_sampler.interpolate(s, dart.position, heights, height, gradient, direction);
-      Added_point point;
-      point.position = dart.position + height * direction;
-      point.normal = (direction - gradient).normalized();
-      double distance = least_room();
+      Added_point point = raised_point(dart.position, s, heights);
+      double distance = m_spacing.dart_spacing(s);
       if(copy != no_index)
       {
         const Carried_place& carried = relief.copies[copy];
@@ -137,15 +138,26 @@ private:
         const std::size_t i = source.model->search().nearest(origin).first;
         if(carried.is_whole)
         {
-          distance = room_beside_carried(source.model->area_spacing(i) / m_spacing.area_spacing(s));
-          if(has_foot(feet, dart.position, distance * m_spacing.spacing(s)) || is_elsewhere(*source.model, i, origin))
+          distance = distance_from_carried(s, source.model->area_spacing(i));
+          if(has_foot(feet, dart.position, distance) || is_elsewhere(*source.model, i, origin))
             continue;
         }
         point.source = source.original_index(i);
         point.source_set = source.set;
       }
-      result.add(point, room(s, distance, distance, distance));
+      result.add(point, Point_room{distance, distance, distance});
     }
+  }
+
+  // over a place on the base near sample `s`
+  Added_point raised_point(const Vector& x, std::size_t s, const Eigen::VectorXd& heights) const
+  {
+    double height; Vector gradient, direction;
+    m_sampler.interpolate(s, x, heights, height, gradient, direction);
+    Added_point point;
+    point.position = x + height * direction;
+    point.normal = (direction - gradient).normalized();
+    return point;
   }
 
   // Whether what `x` should lie on is seen near it, above or below: heights mean over walls.
@@ -176,13 +188,12 @@ private:
     return Point_room{to_new * h, to_rim * h, to_known * h};
   }
 
-  // In local spacings. Blue noise has its nearest neighbours at about one then.
-  static double least_room() { return 0.96; }
-
   // The points of a place are as they should be; where it has fewer of them than are wanted here, others stand between.
-  static double room_beside_carried(double ratio)
+  double distance_from_carried(std::size_t sample, double area_spacing) const
   {
-    return 1.15 - (1.15 - least_room()) * (std::max)(0., (std::min)(1., (ratio - 1.1) / 0.2));
+    const double ratio = area_spacing / m_spacing.area_spacing(sample), least = m_spacing.dart_spacing(sample);
+    const double sparse = (std::max)(0., (std::min)(1., (ratio - 1.1) / 0.2));
+    return (1 - sparse) * 1.15 * m_spacing.spacing(sample) + sparse * least;
   }
 
   const Model& m_known;
