@@ -22,6 +22,8 @@
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 #include <CGAL/Context_completion_3/internal/Surface_points.h>
 
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -60,7 +62,6 @@ public:
   {
     std::mt19937 generator(1);
     const auto random = [&]() { return double(generator()) / 4294967296.; };
-    const double pi = 3.14159265358979323846;
     for(std::size_t s = 0; s < patch.samples().size(); ++s)
     {
       if(!is_wanted[s])
@@ -69,7 +70,7 @@ public:
       const Vector u = sample.normal.unitOrthogonal(), v = sample.normal.cross(u);
       for(std::size_t k = 0; k < per_sample; ++k)
       {
-        const double r = reach() * std::sqrt(random()), angle = 2 * pi * random();
+        const double r = reach() * std::sqrt(random()), angle = 2 * CGAL_PI * random();
         Base_dart dart;
         dart.position = sample.position + r * (std::cos(angle) * u + std::sin(angle) * v);
         dart.sample = s;

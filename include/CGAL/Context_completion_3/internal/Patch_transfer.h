@@ -95,6 +95,7 @@ private:
     return result;
   }
 
+  // Points on facets, where heights cannot tell them.
   void lay_facets(const Hole_relief& relief, const Point_grid& feet, Hole_points<ConcurrencyTag>& result) const
   {
     for(std::size_t f = 0; f < relief.facets.size(); ++f)
@@ -109,16 +110,17 @@ private:
     }
   }
 
+  // Places on the base to the surface of the copy there, or to the plan.
   void raise(const Hole_relief& relief, const Point_grid& feet, Hole_points<ConcurrencyTag>& result) const
   {
     std::vector<char> is_wanted(m_patch.samples().size(), 1);
     for(std::size_t s = 0; s < relief.is_faceted.size(); ++s)
       is_wanted[s] = !relief.is_faceted[s];
     const Eigen::VectorXd heights = own_heights(relief);
-    // the samples keep their distance from each other
+    // without carried points a lattice goes on; its samples keep their distance from each other
     if(relief.copies.empty() && m_spacing.is_lattice())
       for(std::size_t s = 0; s < m_patch.samples().size(); ++s)
-        if(is_wanted[s] && !has_foot(feet, m_patch.samples()[s].position, 0.8 * m_spacing.spacing(s)))
+        if(is_wanted[s])
           result.add(raised_point(m_patch.samples()[s].position, s, heights), room(s, 0.5, 0.7, 0.9));
     const Base_darts<ConcurrencyTag> darts(m_patch, m_sampler, is_wanted);
     for(const Base_dart& dart : darts.darts())
