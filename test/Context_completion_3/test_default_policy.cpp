@@ -14,6 +14,7 @@
 #include "include/engine_samples.h"
 
 #include <CGAL/Context_completion_3/internal/Completion_engine.h>
+#include <CGAL/Context_completion_3/internal/Hole_match.h>
 #include <CGAL/Context_completion_3/internal/Point_grid.h>
 
 #include <CGAL/tags.h>
@@ -605,6 +606,62 @@ TEST(Default_policy, Fragments_of_the_rim_beside_steep_tiles_do_not_keep_them_fr
   samples::Samples removed;
   const Completion result = sequential(samples::without_ball(tiles, samples::Point(37.5, 31, 1.5), 9., &removed));
   expect_copy(result, removed);
+}
+
+TEST(Default_policy, Bricks_over_which_the_base_rises_are_filled_from_other_bricks)
+{
+  const samples::Samples bricks = samples::steep_graph(84, 72, 1., samples::bricks_height);
+  samples::Samples removed;
+  const Completion result = sequential(samples::without_ball(bricks, samples::Point(38, 30, 1), 11., &removed));
+  expect_copy(result, removed);
+  // seen from the first base, which is no larger than a stiff one but higher, the best place lies ten times as badly
+  EXPECT_LT(result.outcomes[result.chosen.front()].match, 0.03);
+}
+
+// A match whose chosen plan is smooth (no places), or a copy with some share.
+Hole_match<CGAL::Sequential_tag> match_of(double error, std::size_t places, double share, bool has_fake_holes,
+                                          bool continues_edges = false)
+{
+  Hole_match<CGAL::Sequential_tag> match;
+  match.chosen.error = error;
+  match.chosen.plan.places = places;
+  match.chosen.plan.share = share;
+  match.has_fake_holes = has_fake_holes;
+  match.continues_edges = continues_edges;
+  return match;
+}
+
+TEST(Hole_match, A_base_that_bulges_and_resembles_nothing_gives_way_to_a_stiff_one_that_does)
+{
+  const auto smooth = match_of(0.3, 0, 0, false), stiff = match_of(0.6, 0, 0, true);
+  EXPECT_TRUE(is_better_over_stiff_base(stiff, smooth, true));
+  EXPECT_FALSE(is_better_over_stiff_base(stiff, smooth, false)) << "it does not bulge";
+  EXPECT_FALSE(is_better_over_stiff_base(stiff, match_of(0.7, 0, 0, true), true)) << "it resembles something";
+  EXPECT_FALSE(is_better_over_stiff_base(stiff, match_of(0.3, 0, 0, false, true), true)) << "it has facets";
+  EXPECT_FALSE(is_better_over_stiff_base(match_of(0.1, 0, 0, false), smooth, true)) << "neither resembles anything";
+}
+
+TEST(Hole_match, A_copy_over_a_stiff_base_promises_clearly_less_unless_the_other_base_bulges)
+{
+  const auto copy = match_of(0.3, 4, 1, true);
+  for(const auto& other : { match_of(0.5, 0, 0, true), match_of(0.5, 2, 0.85, true) })
+  {
+    EXPECT_FALSE(is_better_over_stiff_base(copy, other, false));
+    EXPECT_TRUE(is_better_over_stiff_base(copy, other, true));
+  }
+  EXPECT_TRUE(is_better_over_stiff_base(copy, match_of(0.61, 0, 0, true), false));
+  EXPECT_TRUE(is_better_over_stiff_base(copy, match_of(0.2, 0, 0, false), false)) << "of the other nothing is known";
+  EXPECT_FALSE(is_better_over_stiff_base(match_of(0.3, 4, 0.8, true), match_of(0.9, 0, 0, true), false))
+    << "a copy that is not believed";
+}
+
+TEST(Hole_match, Facets_over_a_stiff_base_need_a_bulge_and_the_better_forecast)
+{
+  const auto facets = match_of(0.3, 0, 0, true, true);
+  EXPECT_TRUE(is_better_over_stiff_base(facets, match_of(0.4, 0, 0, true), true));
+  EXPECT_FALSE(is_better_over_stiff_base(facets, match_of(0.2, 0, 0, true), true));
+  EXPECT_FALSE(is_better_over_stiff_base(facets, match_of(0.4, 0, 0, false), true));
+  EXPECT_FALSE(is_better_over_stiff_base(facets, match_of(0.9, 0, 0, true), false));
 }
 
 // The plan of the least error over a hole in a plane, for eight places whose rim is that plane, as far as can be told. So

@@ -831,7 +831,29 @@ TEST(Hole_detection, A_base_that_bulges_has_a_stiff_one_beside_it)
   }
 }
 
-TEST(Hole_detection, A_base_that_does_not_bulge_is_alone)
+TEST(Hole_detection, A_base_that_relief_leads_away_has_a_stiff_one_beside_it)
+{
+  // of 302 samples, the stiff one of 265
+  const Surface_points points = samples::engine_points(samples::without_ball(
+    samples::steep_graph(84, 72, 1., samples::bricks_height), samples::Point(38, 30, 1), 11.));
+  const Model model(points);
+  const std::vector<Detected> holes = detected(model);
+  ASSERT_EQ(number_of_closed(holes), 1u);
+  for(const Detected& h : holes)
+  {
+    if(h.is_outer_border)
+      continue;
+    ASSERT_TRUE(h.stiff != nullptr);
+    EXPECT_FALSE(is_bulge(*h.patch, *h.stiff));
+    EXPECT_TRUE(lies_elsewhere(*h.patch, *h.stiff));
+    EXPECT_FALSE(lies_elsewhere(*h.patch, *h.patch));
+    // the joints are at 0, the bricks at 2
+    for(const Base_sample& s : h.stiff->samples())
+      EXPECT_NEAR(s.position.z(), 1., 1.5);
+  }
+}
+
+TEST(Hole_detection, A_base_that_a_stiff_one_follows_is_alone)
 {
   for(const samples::Samples& surface : { samples::plane_with_hole(), samples::bumpy_plane_with_hole(),
         samples::without_ball(samples::sphere(3000, 15.5), samples::Point(0, 0, 15.5), 6.) })

@@ -153,6 +153,15 @@ inline double tiles_height(double x, double y)
   return 2.4 * ramp * (0.5 + std::abs(std::sin(pi * (x / 6.4 + 0.5 * row))));
 }
 
+/// Bricks of 14 by 7, with joints 2.4 wide and 2 deep.
+inline double bricks_height(double x, double y)
+{
+  const double row = std::floor(y / 7), across = y - 7 * row, shifted = x / 14 + 0.5 * row,
+               along = 14 * (shifted - std::floor(shifted)),
+               inside = (std::min)((std::min)(along, 14 - along), (std::min)(across, 7 - across));
+  return 2 * (std::min)(1., (std::max)(0., (inside - 1.2) / 0.3));
+}
+
 /// The i-th of n directions on a spiral from pole to pole with steps of the golden angle.
 inline Vector spiral_direction(std::size_t i, std::size_t n)
 {

@@ -32,7 +32,7 @@ struct Detected_hole
 {
   std::vector<Rim_loop> loops;
   std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where no base closes the rim
-  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< another base, where that of `patch` bulges
+  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< a stiff base, where that of `patch` lies elsewhere
   bool is_outer_border = false;
   bool is_end = false;          ///< of a tube: a hole if a place that closes matches it, an outer border otherwise
   bool is_named = false;        ///< by the user
@@ -58,7 +58,7 @@ Detected_hole<ConcurrencyTag> hole_of(const std::shared_ptr<const Smooth_patch<C
   Detected_hole<ConcurrencyTag> hole;
   hole.loops = patch->loops();
   hole.patch = patch;
-  hole.stiff = without_bulge(*patch, left_alone);
+  hole.stiff = second_base(*patch, left_alone);
   return hole;
 }
 

@@ -17,7 +17,9 @@
 #include <CGAL/Context_completion_3/internal/Cancellation.h>
 #include <CGAL/Context_completion_3/internal/Copy_forecast.h>
 #include <CGAL/Context_completion_3/internal/For_each_index.h>
+#include <CGAL/Context_completion_3/internal/Detected_hole.h>
 #include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/Hole_match.h>
 #include <CGAL/Context_completion_3/internal/Hole_refinement.h>
 #include <CGAL/Context_completion_3/internal/Hole_relief.h>
 #include <CGAL/Context_completion_3/internal/Missing_texture.h>
@@ -43,33 +45,6 @@ struct Hole_filling
   Hole_outcome outcome;
 };
 
-/// What was found for a hole, and which plan the forecasts chose.
-template <typename ConcurrencyTag>
-struct Hole_match
-{
-  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< the base that all is seen from
-  std::shared_ptr<const Relief_sampler<ConcurrencyTag> > sampler;
-  std::vector<Place> places;               ///< source places, best score first
-  std::vector<Place_relief> reliefs;       ///< parallel to places
-  std::shared_ptr<const Copy_forecast<ConcurrencyTag> > forecast;
-  Plan_forecast smooth, chosen;
-  double best = 0;                         ///< mismatch of the best place
-  bool has_fake_holes = false;             ///< whether the forecasts are learnt
-  bool continues_edges = false;            ///< whether the smooth plan is made of facets
-  std::size_t teachers = 0;                ///< places that the smooth plan was learnt from, 0: it is smooth
-
-  /// Whether the hole is to be filled by facets that go on until they meet.
-  bool is_faceted() const { return chosen.plan.places == 0 && continues_edges; }
-
-  /// Forgets what only `Hole_completion::relief()` needs.
-  void shrink()
-  {
-    reliefs.clear();
-    reliefs.shrink_to_fit();
-    forecast.reset();
-  }
-};
-
 /// Fills a hole by the default policy: search and forecast (`find()`), a planned surface (`relief()`), its finer levels
 /// (`refinement()`), and points (`transfer()`).
 template <typename ConcurrencyTag>
@@ -86,20 +61,19 @@ public:
     : m_known(known), m_sources(sources), m_search(search), m_keep_texture(keep_texture), m_ingredients(ingredients)
   {}
 
-  /// Places, their reliefs, the forecasts of all plans, and the choice between them. Where the base of a hole bulges,
-  /// places lie badly on it, and the fake holes, which are seen from it too, bulge alike: so a copy over the stiff base
-  /// that is to be believed wins over all but another such copy and facets. These need a base for their forecast alone,
-  /// and win by that; but where too few places resemble the hole, that the stiff base finds some is no promise.
+  /// Places, their reliefs, the forecasts of all plans, and the choice between them; and the same over the stiff base, where
+  /// the first one bulges, or lies elsewhere and no copy over it is to be believed.
   Match find(const Detected_hole<ConcurrencyTag>& hole, const Poll& poll) const
   {
     const Match match = find_over(hole.patch, hole.is_end, poll);
     if(!hole.stiff)
       return match;
+    const bool bulges = is_bulge(*hole.patch, *hole.stiff);
+    // the end of a tube may be meant to be open: nothing but a bulge is looked at twice
+    if(!bulges && (hole.is_end || match.chosen.belief() > 0.9))
+      return match;
     const Match stiff = find_over(hole.stiff, hole.is_end, poll);
-    const bool is_surer = stiff.chosen.error < match.chosen.error;
-    if(stiff.chosen.belief() > 0)
-      return is_surer || (match.chosen.belief() == 0 && !match.is_faceted()) ? stiff : match;
-    return stiff.is_faceted() && match.has_fake_holes && is_surer ? stiff : match;
+    return is_better_over_stiff_base(stiff, match, bulges) ? stiff : match;
   }
 
   /// Whether the end of a tube is a hole: a place that closes is to be believed, and none where the tube just goes on

@@ -123,7 +123,7 @@ public:
         continue;
       hole.patch = with_islands(hole.patch);
       hole.loops = hole.patch->loops();
-      hole.stiff = without_bulge(*hole.patch, 0.);
+      hole.stiff = second_base(*hole.patch, 0.);
       const std::set<std::size_t> all_points(hole.patch->rim().begin(), hole.patch->rim().end());
       holes.erase(std::remove_if(holes.begin(), holes.end(), [&](const Hole& other) {
         return is_mostly_of(other, all_points) || (!other.is_outer_border && holds(other)); }), holes.end());
