@@ -18,6 +18,8 @@
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
