@@ -811,36 +811,47 @@ TEST(Hole_detection, Sheet_with_hole_has_one_hole)
   }
 }
 
+/// The base of the only hole of a surface, and the stiff one beside it.
+struct Two_bases
+{
+  explicit Two_bases(const samples::Samples& surface) : points(samples::engine_points(surface)), model(points)
+  {
+    const std::vector<Detected> holes = closed(detected(model));
+    EXPECT_EQ(holes.size(), 1u);
+    if(holes.size() == 1)
+    {
+      patch = holes.front().patch;
+      stiff = holes.front().stiff;
+    }
+  }
+
+  Surface_points points;
+  Model model;
+  decltype(Detected::patch) patch, stiff;
+};
+
 TEST(Hole_detection, A_base_that_bulges_has_a_stiff_one_beside_it)
 {
-  const Surface_points points = samples::engine_points(samples::without_ball(
-    samples::steep_graph(80, 60, 0.8, samples::tiles_height), samples::Point(40, 30, 1.5), 10.));
-  const Model model(points);
-  const std::vector<Detected> holes = closed(detected(model));
-  ASSERT_EQ(holes.size(), 1u);
-  const auto patch = holes.front().patch, stiff = holes.front().stiff;
-  ASSERT_TRUE(stiff != nullptr);
-  EXPECT_EQ(stiff->surroundings(), patch->surroundings());
-  EXPECT_TRUE(is_bulge(*patch, *stiff));
-  EXPECT_LT(1.15 * double(stiff->samples().size()), double(patch->samples().size()));
-  for(const Base_sample& s : stiff->samples())
+  const Two_bases bases(samples::without_ball(samples::steep_graph(80, 60, 0.8, samples::tiles_height),
+                                              samples::Point(40, 30, 1.5), 10.));
+  ASSERT_TRUE(bases.stiff != nullptr);
+  EXPECT_EQ(bases.stiff->surroundings(), bases.patch->surroundings());
+  EXPECT_TRUE(is_bulge(*bases.patch, *bases.stiff));
+  EXPECT_LT(1.15 * double(bases.stiff->samples().size()), double(bases.patch->samples().size()));
+  for(const Base_sample& s : bases.stiff->samples())
     EXPECT_GT(s.normal.z(), 0.7);
 }
 
 TEST(Hole_detection, A_base_that_relief_leads_away_has_a_stiff_one_beside_it)
 {
-  const Surface_points points = samples::engine_points(samples::without_ball(
-    samples::steep_graph(84, 72, 1., samples::bricks_height), samples::Point(38, 30, 1), 11.));
-  const Model model(points);
-  const std::vector<Detected> holes = closed(detected(model));
-  ASSERT_EQ(holes.size(), 1u);
-  const auto patch = holes.front().patch, stiff = holes.front().stiff;
-  ASSERT_TRUE(stiff != nullptr);
-  EXPECT_FALSE(is_bulge(*patch, *stiff));
-  EXPECT_TRUE(lies_elsewhere(*patch, *stiff));
-  EXPECT_FALSE(lies_elsewhere(*patch, *patch));
+  const Two_bases bases(samples::without_ball(samples::steep_graph(84, 72, 1., samples::bricks_height),
+                                              samples::Point(38, 30, 1), 11.));
+  ASSERT_TRUE(bases.stiff != nullptr);
+  EXPECT_FALSE(is_bulge(*bases.patch, *bases.stiff));
+  EXPECT_TRUE(lies_elsewhere(*bases.patch, *bases.stiff));
+  EXPECT_FALSE(lies_elsewhere(*bases.patch, *bases.patch));
   // the joints are at 0, the bricks at 2
-  for(const Base_sample& s : stiff->samples())
+  for(const Base_sample& s : bases.stiff->samples())
     EXPECT_NEAR(s.position.z(), 1., 1.5);
 }
 

@@ -18,12 +18,8 @@
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -109,47 +105,8 @@ bool goes_around_once(const Rim_surroundings<ConcurrencyTag>& surroundings, std:
   return length >= 1.8 * surroundings.diameter() && length <= 4 * surroundings.diameter();
 }
 
-/// Whether one base is, by the number of its samples, clearly larger than another.
-template <typename ConcurrencyTag>
-bool is_bulge(const Smooth_patch<ConcurrencyTag>& patch, const Smooth_patch<ConcurrencyTag>& other)
-{
-  return double(patch.samples().size()) > 1.15 * double(other.samples().size());
-}
-
 /// Share of the points of a rim that fragments have at most, which a base may leave alone.
 inline double largest_fragment() { return 0.2; }
-
-/// Whether a base is, in the mean, a spacing and more from another: relief that the rim cuts leads one of them up or down.
-template <typename ConcurrencyTag>
-bool lies_elsewhere(const Smooth_patch<ConcurrencyTag>& patch, const Smooth_patch<ConcurrencyTag>& other)
-{
-  double sum = 0;
-  for(const Base_sample& s : patch.samples())
-  {
-    Vector x = s.position, normal;
-    if(!other.project(x, normal))
-      return true;
-    sum += (x - s.position).squaredNorm();
-  }
-  return sum >= CGAL::square(patch.spacing()) * double(patch.samples().size());
-}
-
-/*!
-  A stiff base where another one bulges, or lies elsewhere.
-  \param left_alone the largest share of rim points that it may leave alone; one that leaves more is no answer
-  \return none where both are much the same
-*/
-template <typename ConcurrencyTag>
-std::shared_ptr<const Smooth_patch<ConcurrencyTag> >
-second_base(const Smooth_patch<ConcurrencyTag>& patch, double left_alone)
-{
-  const auto stiff =
-    std::make_shared<const Smooth_patch<ConcurrencyTag> >(patch.surroundings(), true, std::nullopt, patch.guides());
-  const bool is_torn = stiff->joined_share() < patch.joined_share() - left_alone;
-  if(!stiff->is_closed() || is_torn || !is_evident(*stiff))
-    return nullptr;
-  return is_bulge(patch, *stiff) || lies_elsewhere(patch, *stiff) ? stiff : nullptr;
-}
 
 } // namespace internal
 } // namespace Context_completions_3

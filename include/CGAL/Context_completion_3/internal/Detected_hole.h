@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
-#include <CGAL/Context_completion_3/internal/Base_evidence.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
+#include <CGAL/Context_completion_3/internal/Second_base.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct Detected_hole
 {
   std::vector<Rim_loop> loops;
   std::shared_ptr<const Smooth_patch<ConcurrencyTag> > patch;   ///< none where no base closes the rim
-  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< a stiff base, where that of `patch` lies elsewhere
+  std::shared_ptr<const Smooth_patch<ConcurrencyTag> > stiff;   ///< another, where that bulges or lies elsewhere
   bool is_outer_border = false;
   bool is_end = false;          ///< of a tube: a hole if a place that closes matches it, an outer border otherwise
   bool is_named = false;        ///< by the user

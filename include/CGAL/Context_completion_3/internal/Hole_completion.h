@@ -16,9 +16,8 @@
 
 #include <CGAL/Context_completion_3/internal/Cancellation.h>
 #include <CGAL/Context_completion_3/internal/Copy_forecast.h>
-#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
-#include <CGAL/Context_completion_3/internal/Hole_detection.h>
+#include <CGAL/Context_completion_3/internal/For_each_index.h>
 #include <CGAL/Context_completion_3/internal/Hole_match.h>
 #include <CGAL/Context_completion_3/internal/Hole_refinement.h>
 #include <CGAL/Context_completion_3/internal/Hole_relief.h>

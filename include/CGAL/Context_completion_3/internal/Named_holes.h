@@ -14,13 +14,13 @@
 
 #include <CGAL/license/Context_completion_3.h>
 
-#include <CGAL/Context_completion_3/internal/Base_evidence.h>
 #include <CGAL/Context_completion_3/internal/Box_set.h>
 #include <CGAL/Context_completion_3/internal/Detected_hole.h>
 #include <CGAL/Context_completion_3/internal/Island_search.h>
 #include <CGAL/Context_completion_3/internal/Message.h>
 #include <CGAL/Context_completion_3/internal/Rim_detection.h>
 #include <CGAL/Context_completion_3/internal/Rim_surroundings.h>
+#include <CGAL/Context_completion_3/internal/Second_base.h>
 #include <CGAL/Context_completion_3/internal/Smooth_patch.h>
 #include <CGAL/Context_completion_3/internal/Surface_model.h>
 
